@@ -1,0 +1,6 @@
+//! rayproof: a headless GPU ray tracer whose pictures can be trusted.
+
+pub mod error;
+pub mod scene;
+
+pub use error::{Error, Result};

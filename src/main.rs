@@ -1,0 +1,3 @@
+//! rayproof's command line.
+
+fn main() {}
