@@ -1,6 +1,12 @@
 //! rayproof: a headless GPU ray tracer whose pictures can be trusted.
 
+pub mod effects;
 pub mod error;
+pub mod flatten;
+pub mod gpu;
+pub mod kernel;
+pub mod layout;
 pub mod scene;
+pub mod watch;
 
 pub use error::{Error, Result};

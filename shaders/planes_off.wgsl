@@ -1,0 +1,7 @@
+// A scene without planes.
+
+fn closest_plane(ray: Ray, hit: ptr<function, Hit>) {
+}
+
+fn plane_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
+}

@@ -1,0 +1,10 @@
+// A scene without smooth normals: every triangle is flat.
+
+fn shading_normal(
+    index: u32,
+    weights: vec3<f32>,
+    flat_normal: vec3<f32>,
+    direction: vec3<f32>,
+) -> vec3<f32> {
+    return face_viewer(flat_normal, direction);
+}

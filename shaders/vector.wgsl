@@ -1,0 +1,38 @@
+// Vectors of three, with the order of every sum written out. WGSL's own dot,
+// length and normalize leave the order and the rounding to the driver.
+
+// a . b, summed from x to z.
+fn dot_product(a: vec3<real>, b: vec3<real>) -> real {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+// a x b.
+fn cross_product(a: vec3<real>, b: vec3<real>) -> vec3<real> {
+    return vec3<real>(
+        a.y * b.z - a.z * b.y,
+        a.z * b.x - a.x * b.z,
+        a.x * b.y - a.y * b.x,
+    );
+}
+
+// |v|.
+fn vector_length(v: vec3<real>) -> real {
+    return square_root(dot_product(v, v));
+}
+
+// v / |v|, one division a component; the zero vector stays zero.
+fn unit_vector(v: vec3<real>) -> vec3<real> {
+    let length = vector_length(v);
+    if length == 0.0 {
+        return v;
+    }
+    return vec3<real>(divide(v.x, length), divide(v.y, length), divide(v.z, length));
+}
+
+// n, or -n where n points along `direction`, so that it faces who looks.
+fn face_viewer(n: vec3<real>, direction: vec3<real>) -> vec3<real> {
+    if dot_product(n, direction) > 0.0 {
+        return -n;
+    }
+    return n;
+}

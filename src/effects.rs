@@ -1,0 +1,115 @@
+//! THE table: what a scene calls for, and which shader files that brings in.
+//!
+//! What a scene does not call for is not in its shader: not branched over but
+//! absent, its bindings too. Nothing else in the program asks whether an effect
+//! is on.
+
+use crate::flatten::Flat;
+use crate::gpu::program::Source;
+
+/// A part of the shader that only some scenes need.
+pub struct Effect {
+    /// The name for people.
+    pub name: &'static str,
+    /// Whether the scene calls for it.
+    called_for: fn(&Flat<f32>) -> bool,
+    /// The shader files with it.
+    on: &'static [Source],
+    /// The shader files without it: the same functions, doing nothing.
+    off: &'static [Source],
+}
+
+macro_rules! file {
+    ($name:literal) => {
+        Source { name: $name, text: include_str!(concat!("../shaders/", $name)) }
+    };
+}
+
+/// Files that every scene needs.
+const ALWAYS: &[Source] = &[
+    file!("real_f32.wgsl"),
+    file!("layout.wgsl"),
+    file!("vector.wgsl"),
+    file!("camera.wgsl"),
+    file!("hit.wgsl"),
+    file!("background.wgsl"),
+    file!("lambert.wgsl"),
+    file!("trace.wgsl"),
+];
+
+/// Division and square root as the device has them.
+pub const DIVIDE_NATIVE: Source = file!("divide_native.wgsl");
+
+/// Division and square root, corrected on a device that rounds them loosely.
+pub const DIVIDE_CORRECTED: Source = file!("divide_corrected.wgsl");
+
+/// Every effect.
+pub const EFFECTS: &[Effect] = &[
+    Effect {
+        name: "spheres",
+        called_for: |flat| !flat.spheres.is_empty(),
+        on: &[file!("sphere.wgsl"), file!("spheres_on.wgsl")],
+        off: &[file!("spheres_off.wgsl")],
+    },
+    Effect {
+        name: "planes",
+        called_for: |flat| !flat.planes.is_empty(),
+        on: &[file!("plane.wgsl"), file!("planes_on.wgsl")],
+        off: &[file!("planes_off.wgsl")],
+    },
+    Effect {
+        name: "disks",
+        called_for: |flat| !flat.disks.is_empty(),
+        on: &[file!("plane.wgsl"), file!("disk.wgsl"), file!("disks_on.wgsl")],
+        off: &[file!("disks_off.wgsl")],
+    },
+    Effect {
+        name: "triangles",
+        called_for: |flat| !flat.triangles.is_empty(),
+        on: &[file!("triangle.wgsl"), file!("triangles_on.wgsl")],
+        off: &[file!("triangles_off.wgsl")],
+    },
+    Effect {
+        name: "smooth normals",
+        called_for: |flat| !flat.corner_normals.is_empty(),
+        on: &[file!("smooth_normals_on.wgsl")],
+        off: &[file!("smooth_normals_off.wgsl")],
+    },
+    Effect {
+        name: "point lights",
+        called_for: |flat| !flat.point_lights.is_empty(),
+        on: &[file!("point_lights_on.wgsl")],
+        off: &[file!("point_lights_off.wgsl")],
+    },
+    Effect {
+        name: "directional lights",
+        called_for: |flat| !flat.directional_lights.is_empty(),
+        on: &[file!("directional_lights_on.wgsl")],
+        off: &[file!("directional_lights_off.wgsl")],
+    },
+];
+
+/// The names of the effects that the scene calls for.
+pub fn effects_of(flat: &Flat<f32>) -> Vec<&'static str> {
+    EFFECTS.iter().filter(|effect| (effect.called_for)(flat)).map(|effect| effect.name).collect()
+}
+
+/// The shader files for a scene, each once, for a device that divides as
+/// `divide` does.
+pub fn shader_files(flat: &Flat<f32>, divide: Source) -> Vec<Source> {
+    select_files(|effect| (effect.called_for)(flat), divide)
+}
+
+/// The shader files with exactly the effects that `chosen` accepts.
+pub fn select_files(chosen: impl Fn(&Effect) -> bool, divide: Source) -> Vec<Source> {
+    let mut files = ALWAYS.to_vec();
+    files.push(divide);
+    for effect in EFFECTS {
+        for file in if chosen(effect) { effect.on } else { effect.off } {
+            if !files.iter().any(|present| present.name == file.name) {
+                files.push(*file);
+            }
+        }
+    }
+    files
+}

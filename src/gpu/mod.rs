@@ -1,0 +1,14 @@
+//! The GPU tracer: from shader files to pixels.
+//!
+//! [`source`] joins the files, [`program`] parses and reflects them, [`exact`]
+//! forbids the driver to contract, [`device`] finds an adapter, [`selfcheck`]
+//! measures its arithmetic, [`render`] sends the work out in small dispatches.
+
+pub mod device;
+pub mod exact;
+pub mod program;
+pub mod render;
+pub mod selfcheck;
+pub mod source;
+mod stage;
+mod upload;

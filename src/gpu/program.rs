@@ -1,0 +1,174 @@
+//! A shader module: parsed, validated, reflected, as WGSL and as exact SPIR-V.
+
+use naga::back::spv;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{AddressSpace, StorageAccess, TypeInner};
+
+use super::exact::forbid_contraction;
+pub use super::source::Source;
+use super::source::Assembly;
+use crate::error::{Error, Result};
+
+/// How a shader uses a buffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Access {
+    /// A small buffer, the same for all invocations.
+    Uniform,
+    /// Read only.
+    Read,
+    /// Read and written.
+    Write,
+}
+
+/// A buffer that a shader names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Binding {
+    /// The variable's name.
+    pub name: String,
+    /// Its `@group`.
+    pub group: u32,
+    /// Its `@binding`.
+    pub binding: u32,
+    /// How the shader uses it.
+    pub access: Access,
+}
+
+/// A compiled shader module.
+#[derive(Debug)]
+pub struct Program {
+    /// The files that it was made of, and their text.
+    pub assembly: Assembly,
+    /// The parsed module, without what no entry point uses.
+    pub module: naga::Module,
+    /// The buffers in use, by group and binding.
+    pub bindings: Vec<Binding>,
+    /// SPIR-V in which no float operation may be contracted or reordered.
+    pub spirv: Vec<u32>,
+}
+
+impl Program {
+    /// Joins, parses, validates and translates shader files.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Shader`] with file and line: a defect of the shader.
+    pub fn build(files: &[Source]) -> Result<Self> {
+        let assembly = Assembly::join(files);
+        let mut module = naga::front::wgsl::parse_str(&assembly.wgsl).map_err(|error| {
+            let place = error.location(&assembly.wgsl).map(|at| at.offset as usize);
+            shader_error(&assembly, place, error.message())
+        })?;
+        // What no entry point reaches is removed, bindings included.
+        validate(&module, &assembly)?;
+        naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
+        let info = validate(&module, &assembly)?;
+        let bindings = reflect(&module);
+        let spirv = write_spirv(&module, &info, &bindings)?;
+        Ok(Self { assembly, module, bindings, spirv: forbid_contraction(&spirv) })
+    }
+
+    /// The names of the entry points.
+    pub fn entry_points(&self) -> impl Iterator<Item = &str> {
+        self.module.entry_points.iter().map(|entry| entry.name.as_str())
+    }
+}
+
+fn validate(module: &naga::Module, assembly: &Assembly) -> Result<naga::valid::ModuleInfo> {
+    Validator::new(ValidationFlags::all(), Capabilities::FLOAT64).validate(module).map_err(
+        |error| {
+            let place = error.location(&assembly.wgsl).map(|at| at.offset as usize);
+            let mut message = error.as_inner().to_string();
+            let mut cause = std::error::Error::source(error.as_inner());
+            while let Some(inner) = cause {
+                message = format!("{message}: {inner}");
+                cause = inner.source();
+            }
+            shader_error(assembly, place, &message)
+        },
+    )
+}
+
+fn shader_error(assembly: &Assembly, byte: Option<usize>, message: &str) -> Error {
+    let place = byte.map(|byte| assembly.place(byte)).unwrap_or_default();
+    Error::Shader(format!("{place}: {message}"))
+}
+
+/// The buffers of a module, by group and binding.
+fn reflect(module: &naga::Module) -> Vec<Binding> {
+    let mut bindings: Vec<Binding> = module
+        .global_variables
+        .iter()
+        .filter_map(|(_, variable)| {
+            let at = variable.binding?;
+            let access = match variable.space {
+                AddressSpace::Uniform => Access::Uniform,
+                AddressSpace::Storage { access } if access.contains(StorageAccess::STORE) => {
+                    Access::Write
+                }
+                AddressSpace::Storage { .. } => Access::Read,
+                _ => return None,
+            };
+            let name = variable.name.clone().unwrap_or_default();
+            Some(Binding { name, group: at.group, binding: at.binding, access })
+        })
+        .collect();
+    bindings.sort_by_key(|binding| (binding.group, binding.binding));
+    bindings
+}
+
+/// Bounds checks stay on: a wrong index must not read what lies beside a buffer.
+/// Loops need no bounding: each runs over a range that the host sets.
+fn write_spirv(
+    module: &naga::Module,
+    info: &naga::valid::ModuleInfo,
+    bindings: &[Binding],
+) -> Result<Vec<u32>> {
+    let mut binding_map = spv::BindingMap::default();
+    for binding in bindings {
+        // wgpu numbers the bindings of a group from 0 without gaps.
+        let number = bindings
+            .iter()
+            .filter(|other| other.group == binding.group && other.binding < binding.binding)
+            .count();
+        binding_map.insert(
+            naga::ResourceBinding { group: binding.group, binding: binding.binding },
+            spv::BindingInfo {
+                descriptor_set: binding.group,
+                binding: number as u32,
+                binding_array_size: None,
+            },
+        );
+    }
+    let options = spv::Options {
+        flags: spv::WriterFlags::empty(),
+        fake_missing_bindings: false,
+        binding_map,
+        force_loop_bounding: false,
+        ..Default::default()
+    };
+    spv::write_vec(module, info, &options, None)
+        .map_err(|error| Error::Shader(format!("SPIR-V: {error}")))
+}
+
+/// A WGSL struct as naga lays it out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StructLayout {
+    /// Name and byte offset of each field.
+    pub fields: Vec<(String, usize)>,
+    /// Bytes from one element of an array to the next.
+    pub stride: usize,
+}
+
+/// The layout of the WGSL struct `name`, padding fields left out.
+pub fn struct_layout(module: &naga::Module, name: &str) -> Option<StructLayout> {
+    let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name))?;
+    let TypeInner::Struct { members, span } = &ty.inner else {
+        return None;
+    };
+    let fields = members
+        .iter()
+        .map(|member| (member.name.clone().unwrap_or_default(), member.offset as usize))
+        .filter(|(field, _)| !field.starts_with("padding"))
+        .collect();
+    Some(StructLayout { fields, stride: *span as usize })
+}

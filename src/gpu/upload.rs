@@ -1,0 +1,78 @@
+//! Buffers: made, filled and read back, with every refusal reported.
+
+use wgpu::BufferUsages;
+
+use super::device::Gpu;
+use crate::error::{Error, Result};
+
+impl Gpu {
+    /// A zeroed buffer of at least `bytes` bytes.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Limit`] when the device has not that much memory.
+    pub(super) fn create_buffer(
+        &self,
+        name: &str,
+        bytes: u64,
+        usage: BufferUsages,
+    ) -> Result<wgpu::Buffer> {
+        // A binding must not be empty; 64 bytes hold one element of any array.
+        let size = bytes.next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT).max(64);
+        if size > self.limits.max_buffer_size {
+            return Err(Error::Limit(format!(
+                "the buffer `{name}` needs {size} bytes; {} allows {} a buffer",
+                self.adapter.name, self.limits.max_buffer_size
+            )));
+        }
+        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let invalid = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(name),
+            size,
+            usage,
+            mapped_at_creation: false,
+        });
+        let refused = pollster::block_on(invalid.pop());
+        if let Some(error) = pollster::block_on(memory.pop()).or(refused) {
+            return Err(Error::Limit(format!("the buffer `{name}` of {size} bytes: {error}")));
+        }
+        Ok(buffer)
+    }
+
+    /// A storage buffer that holds `bytes`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::create_buffer`].
+    pub(super) fn upload(&self, name: &str, bytes: &[u8]) -> Result<wgpu::Buffer> {
+        let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
+        let buffer = self.create_buffer(name, bytes.len() as u64, usage)?;
+        self.queue.write_buffer(&buffer, 0, bytes);
+        Ok(buffer)
+    }
+
+    /// The first `bytes` bytes of `buffer`, by way of `staging`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::wait`].
+    pub(super) fn read_back(
+        &self,
+        buffer: &wgpu::Buffer,
+        staging: &wgpu::Buffer,
+        bytes: u64,
+    ) -> Result<Vec<u8>> {
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, staging, 0, bytes);
+        self.queue.submit([encoder.finish()]);
+        staging.map_async(wgpu::MapMode::Read, 0..bytes, |_| {});
+        self.wait()?;
+        let data = staging
+            .get_mapped_range(0..bytes)
+            .map_err(|error| Error::DeviceLost(error.to_string()))?
+            .to_vec();
+        staging.unmap();
+        Ok(data)
+    }
+}

@@ -1,0 +1,40 @@
+//! The closest hit so far, and the surface that is found there.
+
+use super::real::Real;
+use super::vector::Vec3;
+use crate::layout::NO_HIT;
+
+/// The closest hit so far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit<R> {
+    /// The ray's parameter there, or `MISS`.
+    pub t: R,
+    /// The primitive, or [`NO_HIT`].
+    pub id: u32,
+    /// Shapes tested so far.
+    pub tests: u32,
+}
+
+/// What shading needs to know of a hit.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Surface {
+    /// Camera-relative.
+    pub position: Vec3<f32>,
+    /// Unit length, facing the viewer.
+    pub normal: Vec3<f32>,
+}
+
+/// Nothing hit, nothing tested.
+pub fn no_hit<R: Real>() -> Hit<R> {
+    Hit { t: R::MISS, id: NO_HIT, tests: 0 }
+}
+
+/// Counts a test and keeps its hit if it is nearer. Primitives are tested in
+/// order of their ids, so of two hits at the same t the lower id stays.
+pub fn keep_nearer<R: Real>(hit: &mut Hit<R>, t: R, id: u32) {
+    hit.tests += 1;
+    if t < hit.t {
+        hit.t = t;
+        hit.id = id;
+    }
+}

@@ -1,0 +1,30 @@
+//! The reference tracer's arithmetic: the twin of the shaders.
+//!
+//! `src/kernel/X.rs` and `shaders/X.wgsl` hold the same functions in the same
+//! order, with the same operations in the same order of evaluation. Only
+//! `+ - * /`, square roots, comparisons, `abs`, conversions and integer
+//! operations occur, each rounded once, so both sides give the same bits.
+//!
+//! [`real::Real`] abstracts over the width. Geometry is computed in it; shading
+//! is f32 in every width, as in the shaders. [`trace`] is where to start
+//! reading.
+
+pub mod background;
+pub mod camera;
+pub mod directional_lights;
+pub mod disk;
+pub mod disks;
+pub mod divide;
+pub mod hit;
+pub mod lambert;
+pub mod plane;
+pub mod planes;
+pub mod point_lights;
+pub mod real;
+pub mod smooth_normals;
+pub mod sphere;
+pub mod spheres;
+pub mod trace;
+pub mod triangle;
+pub mod triangles;
+pub mod vector;

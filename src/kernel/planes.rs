@@ -1,0 +1,26 @@
+//! All planes: which one is nearest, and what is found there.
+
+use super::camera::Ray;
+use super::hit::{Hit, Surface, keep_nearer};
+use super::plane::intersect_plane;
+use super::real::Real;
+use super::vector::{Vec3, face_viewer};
+use crate::flatten::Flat;
+
+/// Tests every plane.
+pub fn closest_plane<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
+    for (plane, id) in flat.planes.iter().zip(flat.first_plane()..) {
+        let t = intersect_plane(ray, Vec3::from(plane.point), Vec3::from(plane.normal));
+        keep_nearer(hit, t, id);
+    }
+}
+
+/// The surface of the plane that was hit.
+pub fn plane_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option<Surface> {
+    let index = hit.id.wrapping_sub(flat.first_plane());
+    let plane = flat.planes.get(index as usize)?;
+    Some(Surface {
+        position: (ray.origin + ray.direction * hit.t).to_f32(),
+        normal: face_viewer(Vec3::from(plane.normal), ray.direction).to_f32(),
+    })
+}

@@ -1,0 +1,58 @@
+//! One pixel, from its ray to its colour.
+
+use super::background::background_color;
+use super::camera::{Ray, camera_ray};
+use super::disks::{closest_disk, disk_surface};
+use super::hit::{Hit, no_hit};
+use super::lambert::scattered_light;
+use super::planes::{closest_plane, plane_surface};
+use super::real::Real;
+use super::spheres::{closest_sphere, sphere_surface};
+use super::triangles::{closest_triangle, triangle_surface};
+use super::vector::{Vec3, vector_length};
+use crate::flatten::Flat;
+use crate::layout::{NO_HIT, Pixel};
+
+/// The nearest of all primitives, in order of their ids.
+pub fn closest_hit<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
+    closest_sphere(flat, ray, hit);
+    closest_plane(flat, ray, hit);
+    closest_disk(flat, ray, hit);
+    closest_triangle(flat, ray, hit);
+}
+
+/// What the ray sees at its hit, a primitive of the scene.
+pub fn shade_hit<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
+    let surface = sphere_surface(flat, ray, hit)
+        .or_else(|| plane_surface(flat, ray, hit))
+        .or_else(|| disk_surface(flat, ray, hit))
+        .or_else(|| triangle_surface(flat, ray, hit))
+        .unwrap_or_default();
+    let material = flat.materials[flat.material_indices[hit.id as usize] as usize];
+    Pixel {
+        color: scattered_light(flat, &surface, Vec3::from(material.albedo)).into(),
+        depth: (hit.t * vector_length(ray.direction)).to_f32(),
+        normal: surface.normal.into(),
+        id: hit.id,
+        position: surface.position.into(),
+        tests: hit.tests,
+    }
+}
+
+/// What the ray sees that meets nothing.
+pub fn shade_miss<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
+    Pixel {
+        color: background_color(&flat.surroundings, ray.direction.to_f32()).into(),
+        id: NO_HIT,
+        tests: hit.tests,
+        ..Pixel::default()
+    }
+}
+
+/// Everything known of pixel (x, y), y downward from the top row.
+pub fn trace_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Pixel {
+    let ray = camera_ray(&flat.camera, flat.size, x, y);
+    let mut hit = no_hit();
+    closest_hit(flat, ray, &mut hit);
+    if hit.id == NO_HIT { shade_miss(flat, ray, hit) } else { shade_hit(flat, ray, hit) }
+}
