@@ -40,14 +40,9 @@ struct MaterialRecord {
     albedo: vec3<f32>,
 }
 
-struct PointLight {
-    position: vec3<f32>,
+struct LightRecord {
+    vector: vec3<f32>,
     inverse_square: u32,
-    color: vec3<f32>,
-}
-
-struct DirectionalLight {
-    direction: vec3<f32>,
     color: vec3<f32>,
 }
 
@@ -57,6 +52,7 @@ struct Surroundings {
     end: vec3<f32>,
     slope: f32,
     ambient: vec3<f32>,
+    point_lights: u32,
 }
 
 // A run of primitives of one kind; the primitive id of index i is first_id + i.
@@ -90,9 +86,10 @@ struct Pixel {
 }
 
 @group(0) @binding(0) var<uniform> dispatch: Dispatch;
-@group(0) @binding(1) var<storage, read> camera: Camera;
+@group(0) @binding(1) var<uniform> camera: Camera;
 @group(0) @binding(2) var<storage, read_write> closest_t: array<real>;
 @group(0) @binding(3) var<storage, read_write> pixels: array<Pixel>;
 @group(0) @binding(4) var<uniform> surroundings: Surroundings;
 @group(1) @binding(0) var<storage, read> materials: array<MaterialRecord>;
+@group(1) @binding(1) var<storage, read> lights: array<LightRecord>;
 @group(2) @binding(0) var<storage, read> material_indices: array<u32>;

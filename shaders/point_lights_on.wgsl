@@ -1,11 +1,9 @@
 // Light from points, by Lambert's cosine law.
 
-@group(1) @binding(1) var<storage, read> point_lights: array<PointLight>;
-
 // The light that a point light sends to a unit of surface at `position`,
 // without occlusion: colour * cos / distance^2, or colour * cos.
-fn point_irradiance(light: PointLight, position: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
-    let to_light = light.position - position;
+fn point_irradiance(light: LightRecord, position: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
+    let to_light = light.vector - position;
     let square = dot_product(to_light, to_light);
     let along = dot_product(normal, to_light);
     if square == 0.0 || along <= 0.0 {
@@ -21,8 +19,8 @@ fn point_irradiance(light: PointLight, position: vec3<f32>, normal: vec3<f32>) -
 // `light` and what all point lights add to it.
 fn add_point_lights(position: vec3<f32>, normal: vec3<f32>, light: vec3<f32>) -> vec3<f32> {
     var sum = light;
-    for (var i = 0u; i < arrayLength(&point_lights); i++) {
-        sum = sum + point_irradiance(point_lights[i], position, normal);
+    for (var i = 0u; i < surroundings.point_lights; i++) {
+        sum = sum + point_irradiance(lights[i], position, normal);
     }
     return sum;
 }

@@ -77,13 +77,13 @@ pub const EFFECTS: &[Effect] = &[
     },
     Effect {
         name: "point lights",
-        called_for: |flat| !flat.point_lights.is_empty(),
+        called_for: |flat| flat.surroundings.point_lights > 0,
         on: &[file!("point_lights_on.wgsl")],
         off: &[file!("point_lights_off.wgsl")],
     },
     Effect {
         name: "directional lights",
-        called_for: |flat| !flat.directional_lights.is_empty(),
+        called_for: |flat| flat.lights.len() > flat.surroundings.point_lights as usize,
         on: &[file!("directional_lights_on.wgsl")],
         off: &[file!("directional_lights_off.wgsl")],
     },

@@ -8,8 +8,8 @@ use glam::{DMat3, DVec3};
 
 use crate::kernel::real::Real;
 use crate::layout::{
-    CameraRecord, CornerNormals, DirectionalLight, Disk, MaterialRecord, Plane, PointLight, Sphere,
-    Surroundings, Triangle,
+    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
+    Triangle,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, Light, Mesh, PixelSampling, Scene, Shape, Transform,
@@ -27,10 +27,8 @@ pub struct Flat<R> {
     pub camera: CameraRecord<R>,
     /// Background and ambient light.
     pub surroundings: Surroundings,
-    /// All point lights.
-    pub point_lights: Vec<PointLight>,
-    /// All directional lights.
-    pub directional_lights: Vec<DirectionalLight>,
+    /// All lights: the point lights, then the directional ones.
+    pub lights: Vec<LightRecord>,
     /// All materials.
     pub materials: Vec<MaterialRecord>,
     /// The material of each primitive.
@@ -86,10 +84,9 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
             end: color(scene.background.to),
             slope: scene.background.slope as f32,
             ambient: color(scene.ambient),
-            padding: 0.0,
+            point_lights: 0,
         },
-        point_lights: Vec::new(),
-        directional_lights: Vec::new(),
+        lights: Vec::new(),
         materials: Vec::new(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
@@ -101,9 +98,7 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
     for material in &scene.materials {
         flat.materials.push(MaterialRecord { albedo: color(material.albedo), padding: 0.0 });
     }
-    for light in &scene.lights {
-        push_light(&mut flat, light, eye);
-    }
+    push_lights(&mut flat, &scene.lights, eye);
     push_shapes(&mut flat, scene);
     flat
 }
@@ -130,22 +125,25 @@ fn camera_record<R: Real>(camera: &Camera, width: u32, height: u32) -> CameraRec
     }
 }
 
-fn push_light<R>(flat: &mut Flat<R>, light: &Light, eye: DVec3) {
-    match *light {
-        Light::Point { position, color: light_color, falloff } => {
-            flat.point_lights.push(PointLight {
-                position: (position - eye).as_vec3().to_array(),
+fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
+    for light in lights {
+        if let Light::Point { position, color: light_color, falloff } = *light {
+            flat.lights.push(LightRecord {
+                vector: (position - eye).as_vec3().to_array(),
                 inverse_square: u32::from(falloff == Falloff::InverseSquare),
                 color: color(light_color),
                 padding: 0.0,
             });
         }
-        Light::Directional { direction, color: light_color } => {
-            flat.directional_lights.push(DirectionalLight {
-                direction: direction.normalize().as_vec3().to_array(),
-                padding_0: 0.0,
+    }
+    flat.surroundings.point_lights = flat.lights.len() as u32;
+    for light in lights {
+        if let Light::Directional { direction, color: light_color } = *light {
+            flat.lights.push(LightRecord {
+                vector: direction.normalize().as_vec3().to_array(),
+                inverse_square: 0,
                 color: color(light_color),
-                padding_1: 0.0,
+                padding: 0.0,
             });
         }
     }

@@ -155,28 +155,17 @@ records! {
         padding: f32,
     }
 
-    /// A point light.
-    PointLight {
-        /// Camera-relative.
-        position: [f32; 3],
+    /// A light without size.
+    LightRecord {
+        /// A point light's position, camera-relative, or a directional light's
+        /// unit vector towards it.
+        vector: [f32; 3],
         /// 1 where the light weakens with the square of the distance, else 0.
         inverse_square: u32,
         /// Colour times intensity.
         color: [f32; 3],
         /// Unused.
         padding: f32,
-    }
-
-    /// A directional light.
-    DirectionalLight {
-        /// Towards the light; unit length.
-        direction: [f32; 3],
-        /// Unused.
-        padding_0: f32,
-        /// Colour times intensity.
-        color: [f32; 3],
-        /// Unused.
-        padding_1: f32,
     }
 
     /// Background and ambient light, see [`crate::scene::Background`].
@@ -191,8 +180,9 @@ records! {
         slope: f32,
         /// Light from everywhere.
         ambient: [f32; 3],
-        /// Unused.
-        padding: f32,
+        /// So many of the lights, from the first, are point lights; the others
+        /// are directional.
+        point_lights: u32,
     }
 
     /// A run of primitives of one kind.

@@ -52,24 +52,17 @@ impl Stage {
         let working = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
         let staged = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
         let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, uniform)?;
-        let surroundings =
-            gpu.create_buffer("surroundings", size_of_val(&flat.surroundings) as u64, uniform)?;
-        gpu.queue.write_buffer(&surroundings, 0, bytemuck::bytes_of(&flat.surroundings));
         let pixels = gpu.create_buffer("pixels", pixel_bytes, working)?;
         let frame = HashMap::from([
             ("dispatch", dispatch.clone()),
-            ("camera", gpu.upload("camera", bytemuck::bytes_of(&flat.camera))?),
+            ("camera", gpu.upload_uniform("camera", bytemuck::bytes_of(&flat.camera))?),
             ("closest_t", gpu.create_buffer("closest_t", tile * 4, working)?),
             ("pixels", pixels.clone()),
-            ("surroundings", surroundings),
+            ("surroundings", gpu.upload_uniform("surroundings", bytemuck::bytes_of(&flat.surroundings))?),
         ]);
         let shading = HashMap::from([
             ("materials", upload_all(gpu, "materials", &flat.materials)?),
-            ("point_lights", upload_all(gpu, "point_lights", &flat.point_lights)?),
-            (
-                "directional_lights",
-                upload_all(gpu, "directional_lights", &flat.directional_lights)?,
-            ),
+            ("lights", upload_all(gpu, "lights", &flat.lights)?),
         ]);
         Ok(Self {
             max_rows,

@@ -18,7 +18,8 @@ impl Gpu {
         usage: BufferUsages,
     ) -> Result<wgpu::Buffer> {
         // A binding must not be empty; 64 bytes hold one element of any array.
-        let size = bytes.next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT).max(64);
+        let bytes = if bytes == 0 { 64 } else { bytes };
+        let size = bytes.next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT);
         if size > self.limits.max_buffer_size {
             return Err(Error::Limit(format!(
                 "the buffer `{name}` needs {size} bytes; {} allows {} a buffer",
@@ -47,6 +48,18 @@ impl Gpu {
     /// As [`Gpu::create_buffer`].
     pub(super) fn upload(&self, name: &str, bytes: &[u8]) -> Result<wgpu::Buffer> {
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
+        let buffer = self.create_buffer(name, bytes.len() as u64, usage)?;
+        self.queue.write_buffer(&buffer, 0, bytes);
+        Ok(buffer)
+    }
+
+    /// A uniform buffer that holds `bytes`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::create_buffer`].
+    pub(super) fn upload_uniform(&self, name: &str, bytes: &[u8]) -> Result<wgpu::Buffer> {
+        let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
         let buffer = self.create_buffer(name, bytes.len() as u64, usage)?;
         self.queue.write_buffer(&buffer, 0, bytes);
         Ok(buffer)

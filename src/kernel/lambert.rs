@@ -11,7 +11,9 @@ use crate::flatten::Flat;
 /// the ambient light and the light of every lamp.
 pub fn scattered_light<R: Real>(flat: &Flat<R>, surface: &Surface, albedo: Vec3<f32>) -> Vec3<f32> {
     let ambient = Vec3::from(flat.surroundings.ambient);
-    let point = add_point_lights(&flat.point_lights, surface.position, surface.normal, ambient);
-    let light = add_directional_lights(&flat.directional_lights, surface.normal, point);
+    let point_lights = &flat.lights[..flat.surroundings.point_lights as usize];
+    let directional_lights = &flat.lights[flat.surroundings.point_lights as usize..];
+    let point = add_point_lights(point_lights, surface.position, surface.normal, ambient);
+    let light = add_directional_lights(directional_lights, surface.normal, point);
     albedo.times(light)
 }

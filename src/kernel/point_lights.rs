@@ -2,12 +2,12 @@
 
 use super::divide::{divide, square_root};
 use super::vector::{Vec3, dot_product, vec3};
-use crate::layout::PointLight;
+use crate::layout::LightRecord;
 
 /// The light that a point light sends to a unit of surface at `position`,
 /// without occlusion: colour * cos / distance^2, or colour * cos.
-fn point_irradiance(light: &PointLight, position: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
-    let to_light = Vec3::from(light.position) - position;
+fn point_irradiance(light: &LightRecord, position: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
+    let to_light = Vec3::from(light.vector) - position;
     let square = dot_product(to_light, to_light);
     let along = dot_product(normal, to_light);
     if square == 0.0 || along <= 0.0 {
@@ -22,14 +22,14 @@ fn point_irradiance(light: &PointLight, position: Vec3<f32>, normal: Vec3<f32>) 
 
 /// `light` and what all point lights add to it.
 pub fn add_point_lights(
-    lights: &[PointLight],
+    lights: &[LightRecord],
     position: Vec3<f32>,
     normal: Vec3<f32>,
     light: Vec3<f32>,
 ) -> Vec3<f32> {
     let mut sum = light;
-    for point_light in lights {
-        sum = sum + point_irradiance(point_light, position, normal);
+    for lamp in lights {
+        sum = sum + point_irradiance(lamp, position, normal);
     }
     sum
 }
