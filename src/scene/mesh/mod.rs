@@ -15,6 +15,7 @@ mod subdivide;
 mod teapot;
 mod teapot_points;
 mod terrain;
+mod write;
 
 #[cfg(test)]
 mod check;
@@ -22,6 +23,8 @@ mod check;
 mod tests;
 
 use super::Mesh;
+
+pub use write::write_obj;
 
 /// The finest detail that [`build`] gives: at this size the largest mesh takes
 /// about half a gibibyte, and vertex indices are far from the end of `u32`.
