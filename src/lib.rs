@@ -1,5 +1,6 @@
 //! rayproof: a headless GPU ray tracer whose pictures can be trusted.
 
+pub mod compare;
 pub mod error;
 pub mod frame;
 pub mod scene;
