@@ -1,0 +1,165 @@
+//! The picture that a render gives: linear colour and the hit layers.
+
+mod exr;
+mod false_color;
+mod layer;
+mod memory;
+mod output;
+mod picture;
+mod png;
+pub mod transfer;
+
+pub use layer::Layer;
+pub use output::{check_writable, write_atomically};
+pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
+pub use png::write_rgb8;
+
+use crate::{Error, Result};
+
+/// The primitive id of a pixel whose ray hits nothing.
+pub const NO_HIT: u32 = u32::MAX;
+
+/// PNG stores a side in 31 bits, EXR in a signed 32-bit number.
+const MAX_SIDE: u32 = i32::MAX as u32;
+
+/// Colour, depth, normal, position and id of one pixel.
+const BYTES_PER_PIXEL: u64 = 12 + 4 + 12 + 12 + 4;
+
+/// A rendered picture: each layer holds `width * height` values, row by row
+/// from the top left.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Pixels from left to right.
+    pub width: u32,
+    /// Pixels from top to bottom.
+    pub height: u32,
+    /// Linear light, RGB, unclamped.
+    pub color: Vec<[f32; 3]>,
+    /// Distance along the ray in world units (t * |d|); +infinity where nothing
+    /// is hit.
+    pub depth: Vec<f32>,
+    /// Unit normal in world space, facing the viewer; zero where nothing is hit.
+    pub normal: Vec<[f32; 3]>,
+    /// Hit point minus camera position; zero where nothing is hit.
+    pub position: Vec<[f32; 3]>,
+    /// Primitive id; [`NO_HIT`] where nothing is hit.
+    pub id: Vec<u32>,
+}
+
+impl Frame {
+    /// A black frame in which nothing is hit.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a side of 0, [`Error::Limit`] where a side is over
+    /// 2^31 - 1 or the memory does not suffice.
+    pub fn new(width: u32, height: u32) -> Result<Self> {
+        if width == 0 || height == 0 {
+            return Err(Error::Usage(format!(
+                "the picture is {width} x {height} pixels: each side takes at least 1"
+            )));
+        }
+        if width > MAX_SIDE || height > MAX_SIDE {
+            return Err(Error::Limit(format!(
+                "the picture is {width} x {height} pixels: \
+                 PNG and EXR hold at most {MAX_SIDE} a side"
+            )));
+        }
+        let pixels = memory::reserve_pixels(width, height, BYTES_PER_PIXEL)?;
+        Ok(Self {
+            width,
+            height,
+            color: memory::filled(pixels, [0.0; 3])?,
+            depth: memory::filled(pixels, f32::INFINITY)?,
+            normal: memory::filled(pixels, [0.0; 3])?,
+            position: memory::filled(pixels, [0.0; 3])?,
+            id: memory::filled(pixels, NO_HIT)?,
+        })
+    }
+
+    /// How many pixels the frame has.
+    pub fn pixels(&self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
+    /// How many pixels have a colour with a channel that is NaN or infinite; a
+    /// PNG shows NaN as 0.
+    pub fn non_finite_pixels(&self) -> u64 {
+        let finite = |c: &[f32; 3]| c.iter().all(|v| v.is_finite());
+        self.color.iter().filter(|c| !finite(c)).count() as u64
+    }
+
+    /// The fields are public, so their lengths are checked before they are
+    /// compared or written.
+    pub(crate) fn check_lengths(&self) -> Result<()> {
+        let lengths = [
+            (Layer::Color, self.color.len()),
+            (Layer::Depth, self.depth.len()),
+            (Layer::Normal, self.normal.len()),
+            (Layer::Position, self.position.len()),
+            (Layer::Id, self.id.len()),
+        ];
+        match lengths.iter().find(|(_, n)| *n != self.pixels()) {
+            None => Ok(()),
+            Some((layer, length)) => Err(Error::Usage(format!(
+                "the frame is {} x {}, which takes {} values a layer, but its {layer} layer \
+                 holds {length}",
+                self.width,
+                self.height,
+                self.pixels()
+            ))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_frame_hits_nothing() {
+        let frame = Frame::new(3, 2).unwrap();
+        assert_eq!(frame.pixels(), 6);
+        assert_eq!(frame.color, vec![[0.0; 3]; 6]);
+        assert_eq!(frame.depth, vec![f32::INFINITY; 6]);
+        assert_eq!(frame.normal, vec![[0.0; 3]; 6]);
+        assert_eq!(frame.position, vec![[0.0; 3]; 6]);
+        assert_eq!(frame.id, vec![NO_HIT; 6]);
+        frame.check_lengths().unwrap();
+    }
+
+    #[test]
+    fn impossible_sizes_are_refused_by_name() {
+        for (w, h) in [(0, 1), (1, 0), (0, 0)] {
+            let error = Frame::new(w, h).unwrap_err();
+            assert!(matches!(error, Error::Usage(_)), "{error}");
+            assert!(error.to_string().contains(&format!("{w} x {h}")), "{error}");
+        }
+        for (w, h) in [
+            (u32::MAX, u32::MAX),
+            (u32::MAX, 1),
+            (1, u32::MAX),
+            (MAX_SIDE, MAX_SIDE),
+        ] {
+            let error = Frame::new(w, h).unwrap_err();
+            assert!(matches!(error, Error::Limit(_)), "{error}");
+            assert!(error.to_string().contains(&format!("{w} x {h}")), "{error}");
+        }
+    }
+
+    #[test]
+    fn non_finite_pixels_are_counted_once_each() {
+        let mut frame = Frame::new(2, 2).unwrap();
+        assert_eq!(frame.non_finite_pixels(), 0);
+        frame.color[0] = [f32::NAN, f32::NAN, 0.0];
+        frame.color[3] = [0.0, 0.0, f32::NEG_INFINITY];
+        assert_eq!(frame.non_finite_pixels(), 2);
+    }
+
+    #[test]
+    fn a_layer_of_the_wrong_length_is_named() {
+        let mut frame = Frame::new(2, 2).unwrap();
+        frame.normal.pop();
+        let message = frame.check_lengths().unwrap_err().to_string();
+        assert!(message.contains("normal layer holds 3"), "{message}");
+    }
+}
