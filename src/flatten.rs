@@ -66,6 +66,21 @@ impl<R> Flat<R> {
         self.first_disk() + self.disks.len() as u32
     }
 
+    /// Bytes of all the arrays.
+    pub fn bytes(&self) -> u64 {
+        let bytes = size_of_val(&self.camera)
+            + size_of_val(&self.surroundings)
+            + size_of_val(self.lights.as_slice())
+            + size_of_val(self.materials.as_slice())
+            + size_of_val(self.material_indices.as_slice())
+            + size_of_val(self.spheres.as_slice())
+            + size_of_val(self.planes.as_slice())
+            + size_of_val(self.disks.as_slice())
+            + size_of_val(self.triangles.as_slice())
+            + size_of_val(self.corner_normals.as_slice());
+        bytes as u64
+    }
+
     /// How many primitives there are.
     pub fn primitives(&self) -> u32 {
         self.material_indices.len() as u32

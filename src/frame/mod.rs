@@ -14,10 +14,11 @@ pub use output::{check_writable, write_atomically};
 pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
 
+pub use crate::layout::NO_HIT;
 use crate::{Error, Result};
 
-/// The primitive id of a pixel whose ray hits nothing.
-pub const NO_HIT: u32 = u32::MAX;
+
+
 
 /// PNG stores a side in 31 bits, EXR in a signed 32-bit number.
 const MAX_SIDE: u32 = i32::MAX as u32;

@@ -4,6 +4,7 @@
 //! the types below, then checked with [`Scene::validate`].
 
 pub mod mesh;
+pub mod obj;
 
 use std::sync::Arc;
 
@@ -29,6 +30,15 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// The shapes. Spheres, planes, disks and triangles may be mixed freely.
     pub shapes: Vec<Shape>,
+}
+
+impl Scene {
+    /// The same scene as a picture of another size.
+    pub fn with_size(mut self, width: u32, height: u32) -> Self {
+        self.image.width = width;
+        self.image.height = height;
+        self
+    }
 }
 
 /// Size and tone curve of the picture.

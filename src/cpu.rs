@@ -1,0 +1,61 @@
+//! The CPU tracer: threads over the kernel.
+
+use std::num::NonZeroUsize;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use rayon::prelude::*;
+
+use crate::error::{Error, Result};
+use crate::flatten::Flat;
+use crate::kernel::real::Real;
+use crate::kernel::trace::trace_pixel;
+use crate::layout::Pixel;
+use crate::watch::Watch;
+
+/// Rows that are traced side by side, a thread: enough that no thread waits long
+/// for the last one, few enough to be held until they are handed on.
+const ROWS_PER_THREAD: u32 = 16;
+
+/// Renders a flattened scene on `threads` threads, or on one for each core. The
+/// rows of pixels are handed to `keep_rows`, from top to bottom, together with
+/// the number of their first row.
+///
+/// # Errors
+///
+/// [`Error::Interrupted`] when `watch` says so, [`Error::Limit`] when no threads
+/// can be had.
+pub fn render<R: Real>(
+    flat: &Flat<R>,
+    threads: Option<NonZeroUsize>,
+    watch: &dyn Watch,
+    keep_rows: &mut dyn FnMut(u32, &[Pixel]),
+) -> Result<()> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.map_or(0, NonZeroUsize::get))
+        .build()
+        .map_err(|error| Error::Limit(error.to_string()))?;
+    let [width, height] = flat.size;
+    let band = ROWS_PER_THREAD * pool.current_num_threads() as u32;
+    let pixels_done = AtomicU64::new(0);
+    let total = u64::from(width) * u64::from(height);
+    let mut first_row = 0;
+    while first_row < height {
+        let rows = band.min(height - first_row);
+        let mut pixels = vec![Pixel::default(); rows as usize * width as usize];
+        pool.install(|| {
+            pixels.par_iter_mut().enumerate().try_for_each(|(index, pixel)| {
+                if watch.cancelled() {
+                    return Err(Error::Interrupted);
+                }
+                let (x, y) = (index as u32 % width, first_row + index as u32 / width);
+                *pixel = trace_pixel(flat, x, y);
+                let done = pixels_done.fetch_add(1, Ordering::Relaxed) + 1;
+                watch.progress(done as f64 / total as f64);
+                Ok(())
+            })
+        })?;
+        keep_rows(first_row, &pixels);
+        first_row += rows;
+    }
+    Ok(())
+}

@@ -1,0 +1,232 @@
+//! From a scene to a picture: flatten, trace, collect.
+
+use std::num::NonZeroUsize;
+use std::time::Instant;
+
+use serde::Serialize;
+
+use crate::effects::effects_of;
+use crate::error::{Error, Result};
+use crate::flatten::{Flat, flatten};
+use crate::frame::Frame;
+use crate::gpu::device::Gpu;
+use crate::kernel::real::Real;
+use crate::layout::{NO_HIT, Pixel};
+use crate::scene::Scene;
+use crate::watch::Watch;
+use crate::{cpu, gpu};
+
+/// What traces the rays.
+#[derive(Debug)]
+pub enum Backend {
+    /// The kernel, on so many threads, or on one for each core.
+    Cpu(Option<NonZeroUsize>),
+    /// The shaders, on an open device.
+    Gpu(Box<Gpu>),
+}
+
+impl Backend {
+    /// The best GPU adapter, software Vulkan included, or the CPU where there is
+    /// none.
+    ///
+    /// # Errors
+    ///
+    /// When there is an adapter but it does not open.
+    pub fn auto() -> Result<Self> {
+        match Gpu::open(None) {
+            Ok(gpu) => Ok(Self::Gpu(Box::new(gpu))),
+            Err(Error::NoAdapter(_)) => Ok(Self::Cpu(None)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// `cpu` or `gpu`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Cpu(_) => "cpu",
+            Self::Gpu(_) => "gpu",
+        }
+    }
+
+    /// For people: which CPU path or which adapter.
+    pub fn describe(&self) -> String {
+        match self {
+            Self::Cpu(_) => "cpu".to_string(),
+            Self::Gpu(gpu) => format!("gpu ({})", gpu.adapter.name),
+        }
+    }
+}
+
+/// Formulas and width of the geometry.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Accuracy {
+    /// The stable formulas in f32.
+    #[default]
+    Robust,
+    /// The stable formulas in f64, scene and rays unrounded; on the CPU.
+    Double,
+}
+
+/// A picture and how it came about.
+#[derive(Debug, Clone)]
+pub struct Rendering {
+    /// The picture.
+    pub frame: Frame,
+    /// How it came about.
+    pub stats: Stats,
+}
+
+/// How a picture came about.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stats {
+    /// `cpu` or `gpu`.
+    pub backend: &'static str,
+    /// The adapter's name; none on the CPU.
+    pub adapter: Option<String>,
+    /// The adapter's driver; none on the CPU.
+    pub driver: Option<String>,
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+    /// Rays through a pixel.
+    pub samples: u32,
+    /// Formulas and width.
+    pub accuracy: Accuracy,
+    /// The bounding volumes in use.
+    pub bounds: &'static str,
+    /// What the scene calls for.
+    pub effects: Vec<&'static str>,
+    /// Spheres, planes, disks and triangles.
+    pub primitives: u32,
+    /// From the scene in memory to the picture in memory.
+    pub seconds: f64,
+    /// The part of it in which rays were traced, upload and download included.
+    pub trace_ms: f64,
+    /// The part of it in which the scene was flattened.
+    pub build_ms: f64,
+    /// Rays traced.
+    pub rays: u64,
+    /// Million rays a second while tracing.
+    pub mrays_per_s: f64,
+    /// Bytes of the scene's arrays, as uploaded.
+    pub device_bytes: u64,
+}
+
+/// Renders a scene.
+///
+/// A GPU that is lost on the way is opened anew, once, and the picture begun
+/// again.
+///
+/// # Errors
+///
+/// [`Error::Usage`] when the scene is not valid or the backend lacks the
+/// accuracy, [`Error::Limit`], [`Error::DeviceLost`], [`Error::Interrupted`].
+///
+/// # Examples
+///
+/// ```
+/// use rayproof::render::{Accuracy, Backend, render};
+/// use rayproof::scene::Scene;
+/// use rayproof::watch::Unwatched;
+///
+/// let scene = Scene::load("assets/scenes/seed-spheres.toml")?.with_size(64, 64);
+/// let picture = render(&scene, &Backend::Cpu(None), Accuracy::Robust, &Unwatched)?;
+/// assert_eq!(picture.stats.primitives, 72);
+/// # Ok::<(), rayproof::Error>(())
+/// ```
+pub fn render(
+    scene: &Scene,
+    backend: &Backend,
+    accuracy: Accuracy,
+    watch: &dyn Watch,
+) -> Result<Rendering> {
+    scene.validate()?;
+    let started = Instant::now();
+    let flat = flatten::<f32>(scene);
+    let build_ms = milliseconds(started);
+    let mut frame = Frame::new(flat.size[0], flat.size[1])?;
+    let trace_started = Instant::now();
+    match (backend, accuracy) {
+        (Backend::Cpu(threads), Accuracy::Robust) => {
+            trace_on_cpu(&flat, *threads, watch, &mut frame)?;
+        }
+        (Backend::Cpu(threads), Accuracy::Double) => {
+            trace_on_cpu(&flatten::<f64>(scene), *threads, watch, &mut frame)?;
+        }
+        (Backend::Gpu(gpu), Accuracy::Robust) => trace_on_gpu(gpu, &flat, watch, &mut frame)?,
+        (Backend::Gpu(_), Accuracy::Double) => {
+            return Err(Error::Usage(
+                "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
+            ));
+        }
+    }
+    let trace_ms = milliseconds(trace_started);
+    let rays = u64::from(frame.width) * u64::from(frame.height);
+    let adapter = match backend {
+        Backend::Cpu(_) => None,
+        Backend::Gpu(gpu) => Some(&gpu.adapter),
+    };
+    let stats = Stats {
+        backend: backend.name(),
+        adapter: adapter.map(|adapter| adapter.name.clone()),
+        driver: adapter.map(|adapter| adapter.driver.clone()),
+        width: frame.width,
+        height: frame.height,
+        samples: 1,
+        accuracy,
+        bounds: "none",
+        effects: effects_of(&flat),
+        primitives: flat.primitives(),
+        seconds: started.elapsed().as_secs_f64(),
+        trace_ms,
+        build_ms,
+        rays,
+        mrays_per_s: rays as f64 / trace_ms.max(1e-6) / 1e3,
+        device_bytes: flat.bytes(),
+    };
+    Ok(Rendering { frame, stats })
+}
+
+fn trace_on_cpu<R: Real>(
+    flat: &Flat<R>,
+    threads: Option<NonZeroUsize>,
+    watch: &dyn Watch,
+    frame: &mut Frame,
+) -> Result<()> {
+    cpu::render(flat, threads, watch, &mut |row, pixels| keep_rows(frame, row, pixels))
+}
+
+fn trace_on_gpu(
+    gpu: &Gpu,
+    flat: &Flat<f32>,
+    watch: &dyn Watch,
+    frame: &mut Frame,
+) -> Result<()> {
+    let first_try = gpu::render::render(gpu, flat, watch, &mut |row, pixels| {
+        keep_rows(frame, row, pixels);
+    });
+    let Err(Error::DeviceLost(reason)) = first_try else {
+        return first_try;
+    };
+    tracing::warn!("the device was lost ({reason}); opening it anew");
+    let gpu = gpu.reopen()?;
+    gpu::render::render(&gpu, flat, watch, &mut |row, pixels| keep_rows(frame, row, pixels))
+}
+
+/// Sorts pixels into the frame's layers.
+fn keep_rows(frame: &mut Frame, first_row: u32, pixels: &[Pixel]) {
+    let start = first_row as usize * frame.width as usize;
+    for (index, pixel) in (start..).zip(pixels) {
+        frame.color[index] = pixel.color;
+        frame.depth[index] = if pixel.id == NO_HIT { f32::INFINITY } else { pixel.depth };
+        frame.normal[index] = pixel.normal;
+        frame.position[index] = pixel.position;
+        frame.id[index] = pixel.id;
+    }
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    since.elapsed().as_secs_f64() * 1e3
+}
