@@ -3,6 +3,9 @@
 //! A scene comes from a TOML file ([`Scene::load`]) or is built in code from
 //! the types below, then checked with [`Scene::validate`].
 
+pub mod mesh;
+pub mod obj;
+
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
