@@ -149,6 +149,3 @@ fn oddities(scene: &Scene, name: &str) -> Vec<String> {
     }
     oddities
 }
-
-#[cfg(test)]
-mod tests;

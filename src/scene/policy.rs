@@ -15,6 +15,9 @@ pub struct Policy {
     pub max_scene_bytes: u64,
     /// Bytes of one mesh file. Default: 1 GiB; 10 million faces are 359 MB.
     pub max_mesh_bytes: u64,
+    /// Triangles of one mesh file. Default: 10 million, for which reading takes
+    /// some 1.5 GB.
+    pub max_mesh_triangles: u64,
     /// Shapes after grids are expanded. Default: 2^20, at some 300 bytes each.
     pub max_shapes: u64,
     /// Spheres, planes, disks and triangles after grids are expanded, a mesh
@@ -29,6 +32,7 @@ impl Default for Policy {
             strict: false,
             max_scene_bytes: 16 << 20,
             max_mesh_bytes: 1 << 30,
+            max_mesh_triangles: 10_000_000,
             max_shapes: 1 << 20,
             max_primitives: 1 << 25,
         }

@@ -159,24 +159,19 @@ pub fn albedo(what: &str, rgb: Rgb) -> Verdict {
 
 /// The camera looks somewhere.
 pub fn line_of_sight(eye: DVec3, target: DVec3) -> Verdict {
-    require(
-        (target - eye).length_squared() >= f64::MIN_POSITIVE,
-        || {
-            flaw(
-                format!("`target` {target} is where `eye` is: the camera looks nowhere"),
-                "same as eye",
-                "move `target` to the point in the middle of the picture",
-            )
-        },
-    )
+    require((target - eye).length_squared() >= f64::MIN_POSITIVE, || {
+        flaw(
+            format!("`target` {target} is where `eye` is: the camera looks nowhere"),
+            "same as eye",
+            "move `target` to the point in the middle of the picture",
+        )
+    })
 }
 
 /// `up` is not along the line of sight, so the picture has a horizontal.
 pub fn upward(up: DVec3, forward: DVec3) -> Verdict {
     let (up_length, forward_length) = (up.length(), forward.length());
-    let sine = (up / up_length)
-        .cross(forward / forward_length)
-        .length();
+    let sine = (up / up_length).cross(forward / forward_length).length();
     require(sine >= MIN_UP_SINE, || {
         flaw(
             format!("`up` {up} is parallel to the line of sight {forward}"),
@@ -294,7 +289,11 @@ pub fn mesh(mesh: &Mesh, materials: usize) -> std::result::Result<DVec3, Flaw> {
     indices("vertex normal", &mesh.triangle_normals, mesh.normals.len())?;
     let triangles = mesh.triangles.len();
     one_each("triangle_normals", mesh.triangle_normals.len(), triangles)?;
-    one_each("triangle_materials", mesh.triangle_materials.len(), triangles)?;
+    one_each(
+        "triangle_materials",
+        mesh.triangle_materials.len(),
+        triangles,
+    )?;
     let wrong = mesh
         .triangle_materials
         .iter()

@@ -152,7 +152,7 @@ impl<'p> Library<'p> {
     fn read(&self, path: &Path) -> Result<obj::ObjFile> {
         let options = ObjOptions {
             max_bytes: self.policy.max_mesh_bytes,
-            max_triangles: self.policy.max_primitives,
+            max_triangles: self.policy.max_mesh_triangles,
             strict: self.policy.strict,
             root: (!self.policy.allow_outside).then(|| self.folder.to_owned()),
         };

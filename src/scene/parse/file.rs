@@ -21,7 +21,10 @@ pub(super) fn read(path: &Path, max_bytes: u64) -> Result<String> {
     }
     let mut bytes = Vec::new();
     File::open(path)
-        .and_then(|file| file.take(max_bytes.saturating_add(1)).read_to_end(&mut bytes))
+        .and_then(|file| {
+            file.take(max_bytes.saturating_add(1))
+                .read_to_end(&mut bytes)
+        })
         .map_err(system)?;
     if bytes.len() as u64 > max_bytes {
         let message = format!(

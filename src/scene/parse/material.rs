@@ -151,12 +151,13 @@ mod tests {
 
     #[test]
     fn fractions_differ_by_seed_instance_and_channel_and_fill_the_unit() {
-        let all: Vec<f64> = (0..3000)
-            .map(|i| fraction(7, i / 3, i % 3))
-            .collect();
+        let all: Vec<f64> = (0..3000).map(|i| fraction(7, i / 3, i % 3)).collect();
         let mean = all.iter().sum::<f64>() / all.len() as f64;
         // Standard error of the mean of 3000 uniform numbers: sqrt(1/12/3000).
-        assert!((mean - 0.5).abs() < 5.0 * (1.0f64 / 36_000.0).sqrt(), "{mean}");
+        assert!(
+            (mean - 0.5).abs() < 5.0 * (1.0f64 / 36_000.0).sqrt(),
+            "{mean}"
+        );
         assert!(all.iter().all(|f| (0.0..1.0).contains(f)));
         let mut distinct = all.clone();
         distinct.sort_by(f64::total_cmp);

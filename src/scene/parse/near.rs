@@ -24,16 +24,28 @@ pub(super) fn suggestion<'c>(
     const MAX_LISTED: usize = 16;
     let near = near(word, candidates.clone());
     if let Some(first) = near.first() {
-        let or: String = near[1..].iter().take(2).map(|n| format!(" or `{n}`")).collect();
+        let or: String = near[1..]
+            .iter()
+            .take(2)
+            .map(|n| format!(" or `{n}`"))
+            .collect();
         return format!("did you mean `{first}`{or}?");
     }
     let all: Vec<_> = candidates.into_iter().collect();
     if all.is_empty() {
         return format!("{all_are}: none");
     }
-    let listed: Vec<_> = all.iter().take(MAX_LISTED).map(|c| format!("`{c}`")).collect();
+    let listed: Vec<_> = all
+        .iter()
+        .take(MAX_LISTED)
+        .map(|c| format!("`{c}`"))
+        .collect();
     let rest = all.len().saturating_sub(MAX_LISTED);
-    let rest = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+    let rest = if rest > 0 {
+        format!(" and {rest} more")
+    } else {
+        String::new()
+    };
     format!("{all_are}: {}{rest}", listed.join(", "))
 }
 
@@ -73,7 +85,12 @@ mod tests {
 
     #[test]
     fn distances() {
-        let cases = [("", "abc", 3), ("ab", "ba", 1), ("abc", "abc", 0), ("kitten", "sitting", 3)];
+        let cases = [
+            ("", "abc", 3),
+            ("ab", "ba", 1),
+            ("abc", "abc", 0),
+            ("kitten", "sitting", 3),
+        ];
         for (a, b, expected) in cases {
             assert_eq!(distance(a, b), expected, "{a} {b}");
             assert_eq!(distance(b, a), expected, "{b} {a}");

@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::faults::Faults;
 use super::near::suggestion;
-use super::value::{Value, wrong_type};
+use super::value::{Value, type_name, wrong_type};
 
 /// Something read, and where it stands.
 #[derive(Debug, Clone)]
@@ -52,8 +52,8 @@ impl<'a, 'i> Section<'a, 'i> {
     ) -> Option<Self> {
         match value.get_ref() {
             DeValue::Table(table) => Some(Self::new(title, value.span(), table)),
-            other => {
-                wrong_type(value, title, "a table", other, faults);
+            _ => {
+                wrong_type(value, title, "a table", faults);
                 None
             }
         }
@@ -134,16 +134,14 @@ impl<'a, 'i> Section<'a, 'i> {
         let Some(value) = self.value(key) else {
             return Vec::new();
         };
-        match value.get_ref() {
-            DeValue::Array(items) => items
-                .iter()
-                .filter_map(|item| Section::within(title, item, faults))
-                .collect(),
-            other => {
-                wrong_type(value, key, &format!("{title}, one or more,"), other, faults);
-                Vec::new()
-            }
-        }
+        let DeValue::Array(items) = value.get_ref() else {
+            wrong_brackets(value, &format!("one {title} or more"), title, faults);
+            return Vec::new();
+        };
+        items
+            .iter()
+            .filter_map(|item| Section::within(title, item, faults))
+            .collect()
     }
 
     /// The table under a key, where there is one.
@@ -154,13 +152,11 @@ impl<'a, 'i> Section<'a, 'i> {
         faults: &mut Faults<'_>,
     ) -> Option<Section<'a, 'i>> {
         let value = self.value(key)?;
-        match value.get_ref() {
-            DeValue::Table(table) => Some(Section::new(title, value.span(), table)),
-            other => {
-                wrong_type(value, key, &format!("{title}, once,"), other, faults);
-                None
-            }
-        }
+        let DeValue::Table(table) = value.get_ref() else {
+            wrong_brackets(value, &format!("one {title}"), title, faults);
+            return None;
+        };
+        Some(Section::new(title, value.span(), table))
     }
 
     /// Records every key that nobody asked for.
@@ -182,4 +178,14 @@ impl<'a, 'i> Section<'a, 'i> {
     pub(super) fn reject(self, faults: &mut Faults<'_>, message: String, help: &str) {
         faults.push(self.span, message, "here", help);
     }
+}
+
+fn wrong_brackets(value: &Value<'_>, expected: &str, title: &str, faults: &mut Faults<'_>) {
+    let found = type_name(value.get_ref());
+    faults.push(
+        value.span(),
+        format!("expected {expected}, found {found}"),
+        found,
+        format!("write the header as {title}"),
+    );
 }

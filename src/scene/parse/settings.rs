@@ -131,12 +131,7 @@ pub(super) fn light(mut section: Section<'_, '_>, faults: &mut Faults<'_>) -> Op
     ];
     let kind = section.required("kind", faults, choice(&kinds));
     let tint = section.or("color", WHITE, faults, color);
-    let intensity = section.or(
-        "intensity",
-        1.0,
-        faults,
-        ruled(number, check::not_negative),
-    );
+    let intensity = section.or("intensity", 1.0, faults, ruled(number, check::not_negative));
     let bright = tint.map(|c| c * intensity);
     faults.judge(
         section.span.clone(),

@@ -79,8 +79,17 @@ impl Draft {
             return true;
         };
         let verdict = check::geometry(geometry)
-            .and_then(|extent| self.check_reach(extent, *linear));
+            .and_then(|extent| self.check_reach(extent, *linear))
+            .map_err(|flaw| self.name_scale(flaw));
         faults.judge(self.span.clone(), verdict)
+    }
+
+    /// Each key by itself is in order, so where there is a scale it is the cause.
+    fn name_scale(&self, mut flaw: check::Flaw) -> check::Flaw {
+        if self.placement.scale != DVec3::ONE {
+            flaw.message = format!("after `scale`, {}", flaw.message);
+        }
+        flaw
     }
 
     /// Stay all instances within reach, and does the transform keep a volume?
@@ -179,10 +188,8 @@ fn mesh(section: &mut Section<'_, '_>, faults: &mut Faults<'_>) -> (Placement, O
                 "write exactly one: `file = \"model.obj\"`, or `builtin` as one of {}",
                 builtins.map(|(name, _)| format!("\"{name}\"")).join(", ")
             );
-            let message = format!("[[mesh]] has {which} `file` and `builtin`").replace(
-                "neither `file` and",
-                "neither `file` nor",
-            );
+            let message = format!("[[mesh]] has {which} `file` and `builtin`")
+                .replace("neither `file` and", "neither `file` nor");
             let label = if both { "two sources" } else { "no source" };
             if both || faults.is_whole(&section.span) {
                 faults.push(section.span.clone(), message, label, help);

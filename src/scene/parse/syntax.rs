@@ -92,7 +92,12 @@ fn parts(text: &str) -> Vec<Range<usize>> {
         at += line.len();
     }
     let ends = starts.iter().skip(1).copied().chain([text.len()]);
-    starts.iter().copied().zip(ends).map(|(a, b)| a..b).collect()
+    starts
+        .iter()
+        .copied()
+        .zip(ends)
+        .map(|(a, b)| a..b)
+        .collect()
 }
 
 /// Is this line a table's header, if perhaps a misspelt one?
@@ -117,7 +122,8 @@ fn clean(part: &str, offset: usize, errors: &mut Vec<SyntaxError>) -> String {
             break;
         };
         let line = line_around(&part, error.span.start);
-        let whole_statement = stands_on_one_line(&part[line.clone()], error.span.start - line.start);
+        let whole_statement =
+            stands_on_one_line(&part[line.clone()], error.span.start - line.start);
         let hole = if line.start < body.start {
             0..part.len()
         } else if whole_statement && cut < MAX_CUTS {
@@ -189,9 +195,23 @@ mod tests {
 
     #[test]
     fn a_line_that_cannot_be_read_costs_only_itself() {
-        for bad in ["b", "b 2", "b = ", "b = 1 2", "b = x", "b = \"x", "= 3", "b = 01", "b = [1 2]"] {
+        for bad in [
+            "b",
+            "b 2",
+            "b = ",
+            "b = 1 2",
+            "b = x",
+            "b = \"x",
+            "= 3",
+            "b = 01",
+            "b = [1 2]",
+        ] {
             let text = format!("[t]\na = 1\n{bad}\nc = 3\n[u]\n");
-            assert_eq!(told(&text), (vec![3], "[t] a = 1 c = 3 [u]".into()), "{bad}");
+            assert_eq!(
+                told(&text),
+                (vec![3], "[t] a = 1 c = 3 [u]".into()),
+                "{bad}"
+            );
         }
     }
 

@@ -32,8 +32,8 @@ pub(super) fn number(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> 
         DeValue::Integer(i) => i128::from_str_radix(i.as_str(), i.radix())
             .ok()
             .map(|i| i as f64),
-        other => {
-            wrong_type(value, what, "a number", other, faults);
+        _ => {
+            wrong_type(value, what, "a number", faults);
             return None;
         }
     };
@@ -61,7 +61,7 @@ pub(super) fn whole(
 ) -> impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<u64> {
     move |value, what, faults| {
         let DeValue::Integer(i) = value.get_ref() else {
-            wrong_type(value, what, "a whole number", value.get_ref(), faults);
+            wrong_type(value, what, "a whole number", faults);
             return None;
         };
         match u64::from_str_radix(i.as_str(), i.radix()) {
@@ -86,7 +86,7 @@ pub(super) fn triple<T: Copy>(
 ) -> impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<[T; 3]> {
     move |value, what, faults| {
         let DeValue::Array(array) = value.get_ref() else {
-            wrong_type(value, what, "an array of 3", value.get_ref(), faults);
+            wrong_type(value, what, "an array of 3", faults);
             return None;
         };
         if array.len() != 3 {
@@ -118,8 +118,8 @@ pub(super) fn color(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> O
 pub(super) fn text(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> Option<String> {
     match value.get_ref() {
         DeValue::String(s) => Some(s.to_string()),
-        other => {
-            wrong_type(value, what, "a string", other, faults);
+        _ => {
+            wrong_type(value, what, "a string", faults);
             None
         }
     }
@@ -129,8 +129,8 @@ pub(super) fn text(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> Op
 pub(super) fn boolean(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> Option<bool> {
     match value.get_ref() {
         DeValue::Boolean(b) => Some(*b),
-        other => {
-            wrong_type(value, what, "true or false", other, faults);
+        _ => {
+            wrong_type(value, what, "true or false", faults);
             None
         }
     }
@@ -156,14 +156,19 @@ pub(super) fn choice<T: Copy>(
 }
 
 /// Records that a value is of the wrong type.
-pub(super) fn wrong_type(
-    value: &Value<'_>,
-    what: &str,
-    expected: &str,
-    found: &DeValue<'_>,
-    faults: &mut Faults<'_>,
-) {
-    let found = match found {
+pub(super) fn wrong_type(value: &Value<'_>, what: &str, expected: &str, faults: &mut Faults<'_>) {
+    let found = type_name(value.get_ref());
+    faults.push(
+        value.span(),
+        format!("`{what}`: expected {expected}, found {found}"),
+        found,
+        format!("write {expected}"),
+    );
+}
+
+/// What a value is, for people.
+pub(super) fn type_name(value: &DeValue<'_>) -> &'static str {
+    match value {
         DeValue::String(_) => "a string",
         DeValue::Integer(_) => "an integer",
         DeValue::Float(_) => "a float",
@@ -171,11 +176,5 @@ pub(super) fn wrong_type(
         DeValue::Datetime(_) => "a date",
         DeValue::Array(_) => "an array",
         DeValue::Table(_) => "a table",
-    };
-    faults.push(
-        value.span(),
-        format!("`{what}`: expected {expected}, found {found}"),
-        found,
-        format!("write {expected}"),
-    );
+    }
 }
