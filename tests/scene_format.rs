@@ -305,3 +305,56 @@ fn the_scenes_of_this_project_load() {
     }
     assert!(seen >= 4, "{seen} scenes in {}", folder.display());
 }
+
+/// The fenced blocks of a language in the reference.
+fn blocks(language: &str) -> Vec<&'static str> {
+    const REFERENCE: &str = include_str!("../docs/scene-format.md");
+    let fence = format!("```{language}\n");
+    let after = REFERENCE.split(fence.as_str()).skip(1);
+    after.filter_map(|rest| rest.split("```").next()).collect()
+}
+
+#[test]
+fn the_example_of_the_reference_loads_without_a_warning() {
+    let examples = blocks("toml");
+    assert_eq!(examples.len(), 1);
+    let loaded = parse(examples[0]).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
+    assert_eq!(loaded.warnings, Vec::<String>::new());
+    assert_eq!(loaded.scene.shapes.len(), 29);
+}
+
+#[test]
+fn the_error_of_the_reference_is_the_one_that_is_told() {
+    let text = "\
+[camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+
+[[material]]
+name = \"clay\"
+albedo = [0.7, 0.4, 0.3]
+
+[[sphere]]
+radius = -1
+material = \"caly\"
+
+[[disk]]
+center = [0, 0, 0]
+radius = 1
+";
+    let policy = Policy::default();
+    let error = parse_str(text, "scene.toml", Path::new("."), &policy).expect_err("three faults");
+    let theme = miette::GraphicalTheme::unicode_nocolor();
+    let mut shown = String::new();
+    miette::GraphicalReportHandler::new_themed(theme)
+        .render_report(&mut shown, &error)
+        .expect("it renders");
+    let trimmed = |s: &str| {
+        s.lines()
+            .map(|l| l.trim_end().to_owned())
+            .collect::<Vec<_>>()
+    };
+    let told = trimmed(shown.trim_end());
+    let printed = trimmed(blocks("text")[0].trim_end());
+    assert_eq!(told, printed);
+}

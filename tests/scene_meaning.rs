@@ -29,15 +29,13 @@ fn scene(body: &str) -> Scene {
 }
 
 fn meshes(scene: &Scene) -> Vec<&Arc<Mesh>> {
-    let mesh = |geometry| match geometry {
-        &Geometry::Mesh(ref mesh) => Some(mesh),
-        _ => None,
-    };
-    scene
-        .shapes
-        .iter()
-        .filter_map(|s| mesh(&s.geometry))
-        .collect()
+    let mut meshes = Vec::new();
+    for shape in &scene.shapes {
+        if let Geometry::Mesh(mesh) = &shape.geometry {
+            meshes.push(mesh);
+        }
+    }
+    meshes
 }
 
 #[test]
@@ -273,4 +271,28 @@ fn a_device_and_a_fifo_are_refused_at_once() {
             path.display()
         );
     }
+}
+
+#[test]
+fn a_file_keeps_its_materials_unless_the_scene_names_one() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text);
+    write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n").expect("written");
+    let obj = "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\
+               usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n";
+    write("two.obj", obj).expect("written");
+    let loaded = parse_in(
+        folder.path(),
+        "[[material]]\nname = 'grey'\nalbedo = [0.5, 0.5, 0.5]\n\
+         [[mesh]]\nfile = 'two.obj'\n[[mesh]]\nfile = 'two.obj'\nmaterial = 'grey'\n",
+    );
+    let scene = loaded.expect("it loads").scene;
+    let own: Vec<_> = meshes(&scene)[0]
+        .triangle_materials
+        .iter()
+        .map(|&m| scene.materials[m as usize].name.as_str())
+        .collect();
+    assert_eq!(own, ["red", "blue"]);
+    assert!(meshes(&scene)[1].triangle_materials.is_empty());
+    assert_eq!(scene.materials[scene.shapes[1].material].name, "grey");
 }

@@ -1,6 +1,7 @@
 //! Is a scene that was built in code one that can be traced?
 
 mod rule;
+mod solid;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -11,6 +12,7 @@ use super::{Background, Camera, Geometry, Light, Mesh, Scene, Shape};
 use crate::{Error, Result};
 pub(super) use rule::*;
 pub use rule::{MAX_IMAGE_SIDE, MAX_MAGNITUDE};
+pub(super) use solid::*;
 
 impl Scene {
     /// Checks what the types cannot: sizes, ranges, directions, indices. A

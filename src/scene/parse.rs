@@ -73,12 +73,17 @@ pub fn load(path: &Path, policy: &Policy) -> Result<Loaded> {
 /// to.
 pub fn parse_str(text: &str, name: &str, folder: &Path, policy: &Policy) -> Result<Loaded> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let readable = syntax::readable(text);
-    let (table, left) = DeTable::parse_recoverable(&readable.text);
-    let mut errors = readable.errors;
-    // Each table by itself is sound by now; one that stands twice is found here.
-    errors.extend(left.iter().map(SyntaxError::from));
-    let mut faults = Faults::new(text, errors, readable.broken);
+    let readable;
+    let (table, mut faults) = match DeTable::parse(text) {
+        Ok(table) => (table, Faults::new(text, Vec::new(), Vec::new())),
+        Err(_) => {
+            readable = syntax::readable(text);
+            let (table, left) = DeTable::parse_recoverable(&readable.text);
+            let mut errors = readable.errors;
+            errors.extend(left.into_iter().map(SyntaxError::from));
+            (table, Faults::new(text, errors, readable.broken))
+        }
+    };
     match read(table.get_ref(), folder, policy, &mut faults) {
         Some(mut loaded) if faults.is_empty() => {
             loaded.warnings.extend(oddities(&loaded.scene, name));
@@ -96,7 +101,7 @@ fn read(
 ) -> Option<Loaded> {
     let mut root = Section::new("the scene file", 0..0, table);
     let image = settings::image(root.table("image", "[image]", faults), faults);
-    if !root.has("camera") && !faults.may_hide("camera") {
+    if !root.has("camera") && !faults.hides_camera {
         let help = "add [camera] with `eye` and `target`";
         faults.push(0..0, "the scene has no [camera]", "no [camera]", help);
     }

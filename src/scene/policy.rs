@@ -10,8 +10,8 @@ pub struct Policy {
     pub allow_outside: bool,
     /// Are dropped faces errors in place of warnings? Default: no.
     pub strict: bool,
-    /// Bytes of a scene file. Default: 16 MiB, some 250,000 spheres; more is a
-    /// matter for `grid` or a mesh.
+    /// Bytes of a scene file. Default: 8 MiB, some 120,000 spheres, for which the
+    /// worst of files takes about 1 GB to parse; more is for `grid` or a mesh.
     pub max_scene_bytes: u64,
     /// Bytes of one mesh file. Default: 1 GiB; 10 million faces are 359 MB.
     pub max_mesh_bytes: u64,
@@ -30,7 +30,7 @@ impl Default for Policy {
         Self {
             allow_outside: false,
             strict: false,
-            max_scene_bytes: 16 << 20,
+            max_scene_bytes: 8 << 20,
             max_mesh_bytes: 1 << 30,
             max_mesh_triangles: 10_000_000,
             max_shapes: 1 << 20,

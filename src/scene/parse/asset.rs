@@ -159,3 +159,61 @@ impl<'p> Library<'p> {
         obj::load(path, &options)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asset() -> Asset {
+        let mesh = Mesh {
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            triangles: vec![[0, 1, 2], [2, 1, 0]],
+            normals: vec![DVec3::Z],
+            triangle_normals: vec![[0; 3]; 2],
+            triangle_materials: vec![1, 0],
+        };
+        let material = |name: &str| Material {
+            name: name.into(),
+            albedo: [0.5; 3],
+        };
+        Asset::new(mesh, vec![material("a"), material("b")]).expect("a good mesh")
+    }
+
+    #[test]
+    fn own_materials_join_the_scene_once_and_are_found_there() {
+        let mut asset = asset();
+        let mut scene = vec![Material {
+            name: "before".into(),
+            albedo: [0.0; 3],
+        }];
+        let smooth = asset.variant(true, true, &mut scene);
+        let flat = asset.variant(false, true, &mut scene);
+        assert_eq!(scene.len(), 3);
+        for mesh in [&smooth, &flat] {
+            let names = mesh
+                .triangle_materials
+                .iter()
+                .map(|&m| scene[m as usize].name.as_str());
+            assert_eq!(names.collect::<Vec<_>>(), ["b", "a"]);
+        }
+        assert!(flat.normals.is_empty() && !smooth.normals.is_empty());
+        assert!(Arc::ptr_eq(&smooth, &asset.variant(true, true, &mut scene)));
+        assert_eq!(scene.len(), 3);
+    }
+
+    #[test]
+    fn a_mesh_under_another_material_leaves_its_own_at_home() {
+        let mut scene = Vec::new();
+        let plain = asset().variant(true, false, &mut scene);
+        assert!(plain.triangle_materials.is_empty() && scene.is_empty());
+    }
+
+    #[test]
+    fn a_mesh_that_breaks_a_rule_is_refused() {
+        let mesh = Mesh {
+            positions: vec![DVec3::NAN],
+            ..Mesh::default()
+        };
+        assert!(Asset::new(mesh, Vec::new()).is_err());
+    }
+}

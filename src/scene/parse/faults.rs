@@ -17,18 +17,29 @@ pub(super) struct Faults<'t> {
     text: &'t str,
     list: Vec<Fault>,
     left_out: usize,
-    /// The tables that could not be read whole: whether something is missing
-    /// there cannot be said.
+    /// The tables that could not be read whole, in order: whether something is
+    /// missing there cannot be said.
     broken: Vec<Range<usize>>,
+    /// Could one of them be the camera?
+    pub(super) hides_camera: bool,
+    /// Could one of them be a material?
+    pub(super) hides_material: bool,
 }
 
 impl<'t> Faults<'t> {
     /// Starts with what the TOML parser could not read.
     pub(super) fn new(text: &'t str, syntax: Vec<SyntaxError>, broken: Vec<Range<usize>>) -> Self {
+        let may_hide = |name| {
+            let header = |part: &Range<usize>| text.get(part.clone())?.lines().next();
+            let mut headers = broken.iter().filter_map(header);
+            headers.any(|line| line.contains(name))
+        };
         let mut faults = Self {
             text,
             list: Vec::new(),
             left_out: 0,
+            hides_camera: may_hide("camera"),
+            hides_material: may_hide("material"),
             broken,
         };
         for SyntaxError { span, message } in syntax {
@@ -50,15 +61,15 @@ impl<'t> Faults<'t> {
 
     /// Is the table whose header stands there free of syntax errors?
     pub(super) fn is_whole(&self, header: &Range<usize>) -> bool {
-        !self.broken.iter().any(|b| b.contains(&header.start))
+        let next = self.broken.partition_point(|b| b.start <= header.start);
+        !self.broken[..next]
+            .last()
+            .is_some_and(|b| b.contains(&header.start))
     }
 
-    /// Could a table with such a name be among those that cannot be read?
-    pub(super) fn may_hide(&self, name: &str) -> bool {
-        self.broken.iter().any(|part| {
-            let header = self.text_at(part.clone()).lines().next();
-            header.is_some_and(|line| line.contains(name))
-        })
+    /// Are faults only counted by now? Then their help need not be thought of.
+    pub(super) fn is_full(&self) -> bool {
+        self.list.len() == MAX_FAULTS
     }
 
     /// Records a broken rule; was the rule kept?
@@ -104,7 +115,7 @@ impl<'t> Faults<'t> {
     }
 
     fn add(&mut self, span: Range<usize>, message: String, label: &str, help: Option<String>) {
-        if self.list.len() == MAX_FAULTS {
+        if self.is_full() {
             self.left_out += 1;
             return;
         }

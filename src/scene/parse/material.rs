@@ -79,8 +79,9 @@ impl Palette {
     pub(super) fn check(&self, name: &Found<String>, faults: &mut Faults<'_>) {
         let word = name.value.as_str();
         let known = word == DEFAULT || self.named.contains_key(word);
-        if !known && !faults.may_hide("material") {
+        if !known && !faults.hides_material {
             let names = self.named.keys().map(String::as_str);
+            let names = names.take(if faults.is_full() { 0 } else { usize::MAX });
             faults.push(
                 name.span.clone(),
                 format!("no material is named \"{word}\""),

@@ -1,12 +1,15 @@
 //! "Did you mean ...?"
 
+/// Longer words are not compared: the time grows with the square.
+const MAX_LENGTH: usize = 64;
+
 /// The candidates that a slip of the fingers could have turned into `word`,
 /// nearest first; a third of the letters may be wrong, at least one.
 pub(super) fn near<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Vec<&'c str> {
     let limit = (word.chars().count() / 3).max(1);
     let mut found: Vec<_> = candidates
         .into_iter()
-        .filter(|c| c.len().abs_diff(word.len()) <= 4 * limit)
+        .filter(|c| c.len().max(word.len()) <= MAX_LENGTH)
         .map(|c| (distance(word, c), c))
         .filter(|(d, _)| *d <= limit)
         .collect();

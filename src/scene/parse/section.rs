@@ -168,7 +168,10 @@ impl<'a, 'i> Section<'a, 'i> {
                     key.span(),
                     format!("unknown key `{name}` in {}", self.title),
                     "unknown key",
-                    suggestion(name, "known keys are", self.asked.iter().copied()),
+                    match faults.is_full() {
+                        true => String::new(),
+                        false => suggestion(name, "known keys are", self.asked.iter().copied()),
+                    },
                 );
             }
         }

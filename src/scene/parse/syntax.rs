@@ -6,7 +6,6 @@
 //! look like table headers; in each part the offending line, or where it cannot
 //! be told the whole part, is overwritten with spaces. Spans stay what they were.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
 use toml::de::DeTable;
@@ -15,11 +14,11 @@ use toml::de::DeTable;
 const MAX_CUTS: usize = 8;
 
 /// A text that TOML can read, and what was lost on the way.
-pub(super) struct Readable<'t> {
+pub(super) struct Readable {
     /// As long as the original.
-    pub(super) text: Cow<'t, str>,
+    pub(super) text: String,
     pub(super) errors: Vec<SyntaxError>,
-    /// The tables that are not whole.
+    /// The tables that are not whole, in order.
     pub(super) broken: Vec<Range<usize>>,
 }
 
@@ -29,17 +28,11 @@ pub(super) struct SyntaxError {
     pub(super) message: String,
 }
 
-/// Cuts out what is not TOML.
-pub(super) fn readable(text: &str) -> Readable<'_> {
+/// Cuts out what is not TOML. Tables that stand twice are left in: each by
+/// itself is sound.
+pub(super) fn readable(text: &str) -> Readable {
     let mut errors = Vec::new();
     let mut broken = Vec::new();
-    if first_error(text).is_none() {
-        return Readable {
-            text: Cow::Borrowed(text),
-            errors,
-            broken,
-        };
-    }
     let mut cleaned = String::with_capacity(text.len());
     for part in parts(text) {
         let known = errors.len();
@@ -50,23 +43,20 @@ pub(super) fn readable(text: &str) -> Readable<'_> {
         }
     }
     Readable {
-        text: Cow::Owned(cleaned),
+        text: cleaned,
         errors,
         broken,
     }
 }
 
-/// The first thing that the parser refuses.
+/// The first thing that the parser refuses. Only one, because a hostile file
+/// has more of them than fit in memory.
 fn first_error(text: &str) -> Option<SyntaxError> {
-    let (_, errors) = DeTable::parse_recoverable(text);
-    errors
-        .iter()
-        .map(SyntaxError::from)
-        .min_by_key(|error| error.span.start)
+    DeTable::parse(text).err().map(SyntaxError::from)
 }
 
-impl From<&toml::de::Error> for SyntaxError {
-    fn from(error: &toml::de::Error) -> Self {
+impl From<toml::de::Error> for SyntaxError {
+    fn from(error: toml::de::Error) -> Self {
         let message = match error.message() {
             // What the parser supposes of any word without quotes.
             m if m.starts_with("string values must be quoted") => {
@@ -243,6 +233,6 @@ mod tests {
     fn rows_of_numbers_are_not_headers() {
         let text = "[t]\na = [\n[1, 2],\n [3, 4],\n]\nb = x\n";
         assert_eq!(told(text).0, vec![6]);
-        assert!(readable("[t]\na = [\n[1, 2],\n]\n").errors.is_empty());
+        assert!(first_error("[t]\na = [\n[1, 2],\n]\n").is_none());
     }
 }
