@@ -43,16 +43,19 @@ pub fn render<R: Real>(
         let rows = band.min(height - first_row);
         let mut pixels = vec![Pixel::default(); rows as usize * width as usize];
         pool.install(|| {
-            pixels.par_iter_mut().enumerate().try_for_each(|(index, pixel)| {
-                if watch.cancelled() {
-                    return Err(Error::Interrupted);
-                }
-                let (x, y) = (index as u32 % width, first_row + index as u32 / width);
-                *pixel = trace_pixel(flat, x, y);
-                let done = pixels_done.fetch_add(1, Ordering::Relaxed) + 1;
-                watch.progress(done as f64 / total as f64);
-                Ok(())
-            })
+            pixels
+                .par_iter_mut()
+                .enumerate()
+                .try_for_each(|(index, pixel)| {
+                    if watch.cancelled() {
+                        return Err(Error::Interrupted);
+                    }
+                    let (x, y) = (index as u32 % width, first_row + index as u32 / width);
+                    *pixel = trace_pixel(flat, x, y);
+                    let done = pixels_done.fetch_add(1, Ordering::Relaxed) + 1;
+                    watch.progress(done as f64 / total as f64);
+                    Ok(())
+                })
         })?;
         keep_rows(first_row, &pixels);
         first_row += rows;

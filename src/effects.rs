@@ -21,7 +21,10 @@ pub struct Effect {
 
 macro_rules! file {
     ($name:literal) => {
-        Source { name: $name, text: include_str!(concat!("../shaders/", $name)) }
+        Source {
+            name: $name,
+            text: include_str!(concat!("../shaders/", $name)),
+        }
     };
 }
 
@@ -60,7 +63,11 @@ pub const EFFECTS: &[Effect] = &[
     Effect {
         name: "disks",
         called_for: |flat| !flat.disks.is_empty(),
-        on: &[file!("plane.wgsl"), file!("disk.wgsl"), file!("disks_on.wgsl")],
+        on: &[
+            file!("plane.wgsl"),
+            file!("disk.wgsl"),
+            file!("disks_on.wgsl"),
+        ],
         off: &[file!("disks_off.wgsl")],
     },
     Effect {
@@ -91,7 +98,11 @@ pub const EFFECTS: &[Effect] = &[
 
 /// The names of the effects that the scene calls for.
 pub fn effects_of(flat: &Flat<f32>) -> Vec<&'static str> {
-    EFFECTS.iter().filter(|effect| (effect.called_for)(flat)).map(|effect| effect.name).collect()
+    EFFECTS
+        .iter()
+        .filter(|effect| (effect.called_for)(flat))
+        .map(|effect| effect.name)
+        .collect()
 }
 
 /// The shader files for a scene, each once, for a device that divides as
@@ -105,7 +116,11 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, divide: Source) -> Vec<Sou
     let mut files = ALWAYS.to_vec();
     files.push(divide);
     for effect in EFFECTS {
-        for file in if chosen(effect) { effect.on } else { effect.off } {
+        for file in if chosen(effect) {
+            effect.on
+        } else {
+            effect.off
+        } {
             if !files.iter().any(|present| present.name == file.name) {
                 files.push(*file);
             }

@@ -111,7 +111,10 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
         corner_normals: Vec::new(),
     };
     for material in &scene.materials {
-        flat.materials.push(MaterialRecord { albedo: color(material.albedo), padding: 0.0 });
+        flat.materials.push(MaterialRecord {
+            albedo: color(material.albedo),
+            padding: 0.0,
+        });
     }
     push_lights(&mut flat, &scene.lights, eye);
     push_shapes(&mut flat, scene);
@@ -142,7 +145,12 @@ fn camera_record<R: Real>(camera: &Camera, width: u32, height: u32) -> CameraRec
 
 fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
     for light in lights {
-        if let Light::Point { position, color: light_color, falloff } = *light {
+        if let Light::Point {
+            position,
+            color: light_color,
+            falloff,
+        } = *light
+        {
             flat.lights.push(LightRecord {
                 vector: (position - eye).as_vec3().to_array(),
                 inverse_square: u32::from(falloff == Falloff::InverseSquare),
@@ -153,7 +161,11 @@ fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
     }
     flat.surroundings.point_lights = flat.lights.len() as u32;
     for light in lights {
-        if let Light::Directional { direction, color: light_color } = *light {
+        if let Light::Directional {
+            direction,
+            color: light_color,
+        } = *light
+        {
             flat.lights.push(LightRecord {
                 vector: direction.normalize().as_vec3().to_array(),
                 inverse_square: 0,
@@ -191,7 +203,12 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) {
         }
     }
     for shape in &scene.shapes {
-        if let Geometry::Disk { center, normal, radius } = shape.geometry {
+        if let Geometry::Disk {
+            center,
+            normal,
+            radius,
+        } = shape.geometry
+        {
             flat.disks.push(Disk {
                 center: real_vector(place(center, &shape.transform, eye)),
                 radius: R::from_f64(radius * uniform_scale(&shape.transform)),
@@ -213,31 +230,45 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) {
         }
     }
     if !flat.corner_normals.is_empty() {
-        flat.corner_normals.resize(flat.triangles.len(), CornerNormals::default());
+        flat.corner_normals
+            .resize(flat.triangles.len(), CornerNormals::default());
     }
 }
 
 fn push_mesh<R: Real>(flat: &mut Flat<R>, mesh: &Mesh, shape: &Shape, eye: DVec3) {
-    let placed: Vec<DVec3> =
-        mesh.positions.iter().map(|&p| place(p, &shape.transform, eye)).collect();
+    let placed: Vec<DVec3> = mesh
+        .positions
+        .iter()
+        .map(|&p| place(p, &shape.transform, eye))
+        .collect();
     if !mesh.triangle_normals.is_empty() {
-        flat.corner_normals.resize(flat.triangles.len(), CornerNormals::default());
+        flat.corner_normals
+            .resize(flat.triangles.len(), CornerNormals::default());
         let turned: Vec<[f32; 3]> = mesh
             .normals
             .iter()
             .map(|&n| turn(n, &shape.transform).as_vec3().to_array())
             .collect();
-        flat.corner_normals.extend(mesh.triangle_normals.iter().map(|corners| {
-            let [a, b, c] = corners.map(|corner| turned[corner as usize]);
-            CornerNormals { a, padding_0: 0.0, b, padding_1: 0.0, c, padding_2: 0.0 }
-        }));
+        flat.corner_normals
+            .extend(mesh.triangle_normals.iter().map(|corners| {
+                let [a, b, c] = corners.map(|corner| turned[corner as usize]);
+                CornerNormals {
+                    a,
+                    padding_0: 0.0,
+                    b,
+                    padding_1: 0.0,
+                    c,
+                    padding_2: 0.0,
+                }
+            }));
     }
     for triangle in &mesh.triangles {
         push_triangle(flat, triangle.map(|corner| placed[corner as usize]));
     }
     if mesh.triangle_materials.is_empty() {
         let materials = flat.material_indices.len() + mesh.triangles.len();
-        flat.material_indices.resize(materials, shape.material as u32);
+        flat.material_indices
+            .resize(materials, shape.material as u32);
     } else {
         flat.material_indices.extend(&mesh.triangle_materials);
     }

@@ -195,15 +195,12 @@ fn trace_on_cpu<R: Real>(
     watch: &dyn Watch,
     frame: &mut Frame,
 ) -> Result<()> {
-    cpu::render(flat, threads, watch, &mut |row, pixels| keep_rows(frame, row, pixels))
+    cpu::render(flat, threads, watch, &mut |row, pixels| {
+        keep_rows(frame, row, pixels)
+    })
 }
 
-fn trace_on_gpu(
-    gpu: &Gpu,
-    flat: &Flat<f32>,
-    watch: &dyn Watch,
-    frame: &mut Frame,
-) -> Result<()> {
+fn trace_on_gpu(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch, frame: &mut Frame) -> Result<()> {
     let first_try = gpu::render::render(gpu, flat, watch, &mut |row, pixels| {
         keep_rows(frame, row, pixels);
     });
@@ -212,7 +209,9 @@ fn trace_on_gpu(
     };
     tracing::warn!("the device was lost ({reason}); opening it anew");
     let gpu = gpu.reopen()?;
-    gpu::render::render(&gpu, flat, watch, &mut |row, pixels| keep_rows(frame, row, pixels))
+    gpu::render::render(&gpu, flat, watch, &mut |row, pixels| {
+        keep_rows(frame, row, pixels)
+    })
 }
 
 /// Sorts pixels into the frame's layers.
@@ -220,7 +219,11 @@ fn keep_rows(frame: &mut Frame, first_row: u32, pixels: &[Pixel]) {
     let start = first_row as usize * frame.width as usize;
     for (index, pixel) in (start..).zip(pixels) {
         frame.color[index] = pixel.color;
-        frame.depth[index] = if pixel.id == NO_HIT { f32::INFINITY } else { pixel.depth };
+        frame.depth[index] = if pixel.id == NO_HIT {
+            f32::INFINITY
+        } else {
+            pixel.depth
+        };
         frame.normal[index] = pixel.normal;
         frame.position[index] = pixel.position;
         frame.id[index] = pixel.id;

@@ -17,9 +17,6 @@ pub use png::write_rgb8;
 pub use crate::layout::NO_HIT;
 use crate::{Error, Result};
 
-
-
-
 /// PNG stores a side in 31 bits, EXR in a signed 32-bit number.
 const MAX_SIDE: u32 = i32::MAX as u32;
 

@@ -46,7 +46,12 @@ impl AdapterDescription {
             .filter(|part| !part.is_empty())
             .collect::<Vec<_>>()
             .join(" ");
-        Self { name: info.name, driver, kind, backend: info.backend.to_string() }
+        Self {
+            name: info.name,
+            driver,
+            kind,
+            backend: info.backend.to_string(),
+        }
     }
 }
 
@@ -95,8 +100,14 @@ fn choose(wanted: Option<&str>) -> Result<wgpu::Adapter> {
         }
         seen.push(about.name);
     }
-    let seen = if seen.is_empty() { "none".to_string() } else { seen.join(", ") };
-    Err(Error::NoAdapter(format!("none matches `{wanted}`; this machine has: {seen}")))
+    let seen = if seen.is_empty() {
+        "none".to_string()
+    } else {
+        seen.join(", ")
+    };
+    Err(Error::NoAdapter(format!(
+        "none matches `{wanted}`; this machine has: {seen}"
+    )))
 }
 
 /// What went wrong on a device since it was opened.
@@ -206,14 +217,20 @@ impl Gpu {
     /// Keeps wgpu from panicking on an error, and notes it.
     fn watch_for_troubles(&self) {
         let troubles = Arc::clone(&self.troubles);
-        self.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            troubles.errors.lock().unwrap_or_else(|e| e.into_inner()).push(error.to_string());
-        }));
+        self.device
+            .on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+                troubles
+                    .errors
+                    .lock()
+                    .unwrap_or_else(|e| e.into_inner())
+                    .push(error.to_string());
+            }));
         let troubles = Arc::clone(&self.troubles);
-        self.device.set_device_lost_callback(move |reason, message| {
-            let text = format!("{message} ({reason:?})");
-            *troubles.lost.lock().unwrap_or_else(|e| e.into_inner()) = Some(text);
-        });
+        self.device
+            .set_device_lost_callback(move |reason, message| {
+                let text = format!("{message} ({reason:?})");
+                *troubles.lost.lock().unwrap_or_else(|e| e.into_inner()) = Some(text);
+            });
     }
 
     /// Waits until the device has done all that was submitted.
@@ -223,7 +240,10 @@ impl Gpu {
     /// [`Error::DeviceLost`] when it is lost or does not answer in time,
     /// [`Error::Shader`] when wgpu refused something.
     pub(super) fn wait(&self) -> Result<()> {
-        let poll = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
+        let poll = wgpu::PollType::Wait {
+            submission_index: None,
+            timeout: Some(PATIENCE),
+        };
         if let Err(error) = self.device.poll(poll) {
             // Dropping the last handle would wait for the device without end.
             std::mem::forget((self.device.clone(), self.queue.clone()));
@@ -232,7 +252,13 @@ impl Gpu {
         if let Some(reason) = &*self.troubles.lost.lock().unwrap_or_else(|e| e.into_inner()) {
             return Err(Error::DeviceLost(reason.clone()));
         }
-        match self.troubles.errors.lock().unwrap_or_else(|e| e.into_inner()).first() {
+        match self
+            .troubles
+            .errors
+            .lock()
+            .unwrap_or_else(|e| e.into_inner())
+            .first()
+        {
             Some(error) => Err(Error::Shader(error.clone())),
             None => Ok(()),
         }
@@ -247,38 +273,47 @@ impl Gpu {
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let module = self.shader_module(program);
         let layouts = self.bind_group_layouts(program);
-        let layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &layouts.iter().map(Some).collect::<Vec<_>>(),
-            immediate_size: 0,
-        });
+        let layout = self
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: None,
+                bind_group_layouts: &layouts.iter().map(Some).collect::<Vec<_>>(),
+                immediate_size: 0,
+            });
         let pipelines = program
             .entry_points()
             .map(|entry| {
                 let pipeline =
-                    self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                        label: Some(entry),
-                        layout: Some(&layout),
-                        module: &module,
-                        entry_point: Some(entry),
-                        compilation_options: Default::default(),
-                        cache: None,
-                    });
+                    self.device
+                        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                            label: Some(entry),
+                            layout: Some(&layout),
+                            module: &module,
+                            entry_point: Some(entry),
+                            compilation_options: Default::default(),
+                            cache: None,
+                        });
                 (entry.to_string(), pipeline)
             })
             .collect();
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(Error::Shader(error.to_string()));
         }
-        Ok(Kernel { pipelines, layouts, program_bindings: program.bindings.clone() })
+        Ok(Kernel {
+            pipelines,
+            layouts,
+            program_bindings: program.bindings.clone(),
+        })
     }
 
     fn shader_module(&self, program: &Program) -> wgpu::ShaderModule {
         if !self.exact {
-            return self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("rayproof"),
-                source: wgpu::ShaderSource::Wgsl(program.assembly.wgsl.as_str().into()),
-            });
+            return self
+                .device
+                .create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some("rayproof"),
+                    source: wgpu::ShaderSource::Wgsl(program.assembly.wgsl.as_str().into()),
+                });
         }
         let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
             label: Some("rayproof"),
@@ -302,7 +337,12 @@ impl Gpu {
     }
 
     fn bind_group_layouts(&self, program: &Program) -> Vec<wgpu::BindGroupLayout> {
-        let groups = program.bindings.iter().map(|binding| binding.group + 1).max().unwrap_or(0);
+        let groups = program
+            .bindings
+            .iter()
+            .map(|binding| binding.group + 1)
+            .max()
+            .unwrap_or(0);
         (0..groups)
             .map(|group| {
                 let entries: Vec<_> = program
@@ -328,10 +368,11 @@ impl Gpu {
                         count: None,
                     })
                     .collect();
-                self.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                    label: None,
-                    entries: &entries,
-                })
+                self.device
+                    .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                        label: None,
+                        entries: &entries,
+                    })
             })
             .collect()
     }
@@ -357,7 +398,11 @@ impl Kernel {
         buffers: &HashMap<&'static str, wgpu::Buffer>,
     ) -> Result<wgpu::BindGroup> {
         let mut entries = Vec::new();
-        for binding in self.program_bindings.iter().filter(|binding| binding.group == group) {
+        for binding in self
+            .program_bindings
+            .iter()
+            .filter(|binding| binding.group == group)
+        {
             let buffer = buffers.get(binding.name.as_str()).ok_or_else(|| {
                 Error::Shader(format!("no buffer for the variable `{}`", binding.name))
             })?;

@@ -13,14 +13,16 @@ const DECORATION_NO_CONTRACTION: u32 = 42;
 /// results can be float: OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv, OpFRem,
 /// OpFMod, OpVectorTimesScalar, OpMatrixTimesScalar, OpVectorTimesMatrix,
 /// OpMatrixTimesVector, OpMatrixTimesMatrix, OpOuterProduct, OpDot.
-const FLOAT_ARITHMETIC: [u32; 14] =
-    [127, 129, 131, 133, 136, 140, 141, 142, 143, 144, 145, 146, 147, 148];
+const FLOAT_ARITHMETIC: [u32; 14] = [
+    127, 129, 131, 133, 136, 140, 141, 142, 143, 144, 145, 146, 147, 148,
+];
 
 /// The first instructions of each section up to the annotations, in the order
 /// of the SPIR-V specification, section 2.4: capabilities, extensions, imports,
 /// memory model, entry points, execution modes, debug, annotations.
-const BEFORE_TYPES: [u32; 19] =
-    [17, 10, 11, 14, 15, 16, 331, 7, 3, 2, 4, 5, 6, 330, 71, 72, 73, 74, 332];
+const BEFORE_TYPES: [u32; 19] = [
+    17, 10, 11, 14, 15, 16, 331, 7, 3, 2, 4, 5, 6, 330, 71, 72, 73, 74, 332,
+];
 
 /// The module with NoContraction on each float operation.
 pub fn forbid_contraction(spirv: &[u32]) -> Vec<u32> {
@@ -71,13 +73,23 @@ mod tests {
 
     #[test]
     fn every_float_operation_is_decorated_once() {
-        let exact = Program::build(&[Source { name: "test", text: SHADER }]).unwrap().spirv;
+        let exact = Program::build(&[Source {
+            name: "test",
+            text: SHADER,
+        }])
+        .unwrap()
+        .spirv;
         assert_eq!(decorated(&exact), 4, "product, sum, negation, quotient");
     }
 
     #[test]
     fn a_module_without_the_pass_has_no_decoration() {
-        let exact = Program::build(&[Source { name: "test", text: SHADER }]).unwrap().spirv;
+        let exact = Program::build(&[Source {
+            name: "test",
+            text: SHADER,
+        }])
+        .unwrap()
+        .spirv;
         let plain: Vec<u32> = exact[..HEADER]
             .iter()
             .chain(

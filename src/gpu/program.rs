@@ -5,8 +5,8 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, StorageAccess, TypeInner};
 
 use super::exact::forbid_contraction;
-pub use super::source::Source;
 use super::source::Assembly;
+pub use super::source::Source;
 use crate::error::{Error, Result};
 
 /// How a shader uses a buffer.
@@ -64,18 +64,27 @@ impl Program {
         let info = validate(&module, &assembly)?;
         let bindings = reflect(&module);
         let spirv = write_spirv(&module, &info, &bindings)?;
-        Ok(Self { assembly, module, bindings, spirv: forbid_contraction(&spirv) })
+        Ok(Self {
+            assembly,
+            module,
+            bindings,
+            spirv: forbid_contraction(&spirv),
+        })
     }
 
     /// The names of the entry points.
     pub fn entry_points(&self) -> impl Iterator<Item = &str> {
-        self.module.entry_points.iter().map(|entry| entry.name.as_str())
+        self.module
+            .entry_points
+            .iter()
+            .map(|entry| entry.name.as_str())
     }
 }
 
 fn validate(module: &naga::Module, assembly: &Assembly) -> Result<naga::valid::ModuleInfo> {
-    Validator::new(ValidationFlags::all(), Capabilities::FLOAT64).validate(module).map_err(
-        |error| {
+    Validator::new(ValidationFlags::all(), Capabilities::FLOAT64)
+        .validate(module)
+        .map_err(|error| {
             let place = error.location(&assembly.wgsl).map(|at| at.offset as usize);
             let mut message = error.as_inner().to_string();
             let mut cause = std::error::Error::source(error.as_inner());
@@ -84,8 +93,7 @@ fn validate(module: &naga::Module, assembly: &Assembly) -> Result<naga::valid::M
                 cause = inner.source();
             }
             shader_error(assembly, place, &message)
-        },
-    )
+        })
 }
 
 fn shader_error(assembly: &Assembly, byte: Option<usize>, message: &str) -> Error {
@@ -109,7 +117,12 @@ fn reflect(module: &naga::Module) -> Vec<Binding> {
                 _ => return None,
             };
             let name = variable.name.clone().unwrap_or_default();
-            Some(Binding { name, group: at.group, binding: at.binding, access })
+            Some(Binding {
+                name,
+                group: at.group,
+                binding: at.binding,
+                access,
+            })
         })
         .collect();
     bindings.sort_by_key(|binding| (binding.group, binding.binding));
@@ -131,7 +144,10 @@ fn write_spirv(
             .filter(|other| other.group == binding.group && other.binding < binding.binding)
             .count();
         binding_map.insert(
-            naga::ResourceBinding { group: binding.group, binding: binding.binding },
+            naga::ResourceBinding {
+                group: binding.group,
+                binding: binding.binding,
+            },
             spv::BindingInfo {
                 descriptor_set: binding.group,
                 binding: number as u32,
@@ -161,14 +177,25 @@ pub struct StructLayout {
 
 /// The layout of the WGSL struct `name`, padding fields left out.
 pub fn struct_layout(module: &naga::Module, name: &str) -> Option<StructLayout> {
-    let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name))?;
+    let (_, ty) = module
+        .types
+        .iter()
+        .find(|(_, ty)| ty.name.as_deref() == Some(name))?;
     let TypeInner::Struct { members, span } = &ty.inner else {
         return None;
     };
     let fields = members
         .iter()
-        .map(|member| (member.name.clone().unwrap_or_default(), member.offset as usize))
+        .map(|member| {
+            (
+                member.name.clone().unwrap_or_default(),
+                member.offset as usize,
+            )
+        })
         .filter(|(field, _)| !field.starts_with("padding"))
         .collect();
-    Some(StructLayout { fields, stride: *span as usize })
+    Some(StructLayout {
+        fields,
+        stride: *span as usize,
+    })
 }

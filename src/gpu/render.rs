@@ -50,9 +50,14 @@ pub fn render(
     let mut row = 0;
     while row < flat.size[1] {
         let rows = pace.rows(flat, stage.max_rows).min(flat.size[1] - row);
-        let tile = Tile { first_row: row, rows };
+        let tile = Tile {
+            first_row: row,
+            rows,
+        };
         for (index, window) in windows.iter().enumerate() {
-            trace_window(gpu, flat, &kernel, &stage, index, window, tile, &mut pace, watch)?;
+            trace_window(
+                gpu, flat, &kernel, &stage, index, window, tile, &mut pace, watch,
+            )?;
         }
         for (index, window) in windows.iter().enumerate() {
             let dispatch = dispatch_of(flat, window, window.clone(), tile, false);
@@ -74,7 +79,10 @@ struct Tile {
 }
 
 /// The closest hits of a tile among the primitives of a window.
-#[expect(clippy::too_many_arguments, reason = "the loop's whole state, each named")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the loop's whole state, each named"
+)]
 fn trace_window(
     gpu: &Gpu,
     flat: &Flat<f32>,
@@ -121,7 +129,11 @@ fn check_tests(pixels: &[Pixel], expected: u32) -> Result<()> {
 /// binding holds.
 pub fn windows<R>(flat: &Flat<R>, binding_bytes: u64) -> Vec<Range<u32>> {
     let kinds = [
-        (flat.first_sphere(), flat.spheres.len(), size_of::<Sphere<R>>()),
+        (
+            flat.first_sphere(),
+            flat.spheres.len(),
+            size_of::<Sphere<R>>(),
+        ),
         (flat.first_plane(), flat.planes.len(), size_of::<Plane<R>>()),
         (flat.first_disk(), flat.disks.len(), size_of::<Disk<R>>()),
         (
@@ -206,7 +218,11 @@ impl Pace {
     fn new(flat: &Flat<f32>) -> Self {
         let pixels = f64::from(flat.size[0]) * f64::from(flat.size[1]);
         let total = pixels * f64::from(flat.primitives().max(1));
-        Self { rate: FIRST_GUESS, total, tested: 0.0 }
+        Self {
+            rate: FIRST_GUESS,
+            total,
+            tested: 0.0,
+        }
     }
 
     /// Tests that a dispatch should hold.
@@ -241,4 +257,3 @@ impl Pace {
         (self.tested / self.total).min(1.0)
     }
 }
-

@@ -63,16 +63,26 @@ impl Arithmetic {
 
     /// The shader file that divides correctly on this device.
     pub(crate) fn divide_file(&self) -> Source {
-        if self.corrected { DIVIDE_CORRECTED } else { DIVIDE_NATIVE }
+        if self.corrected {
+            DIVIDE_CORRECTED
+        } else {
+            DIVIDE_NATIVE
+        }
     }
 }
 
-const SELFCHECK: Source =
-    Source { name: "selfcheck.wgsl", text: include_str!("../../shaders/selfcheck.wgsl") };
-const SELFCHECK_F64: Source =
-    Source { name: "selfcheck_f64.wgsl", text: include_str!("../../shaders/selfcheck_f64.wgsl") };
-const REAL: Source =
-    Source { name: "real_f32.wgsl", text: include_str!("../../shaders/real_f32.wgsl") };
+const SELFCHECK: Source = Source {
+    name: "selfcheck.wgsl",
+    text: include_str!("../../shaders/selfcheck.wgsl"),
+};
+const SELFCHECK_F64: Source = Source {
+    name: "selfcheck_f64.wgsl",
+    text: include_str!("../../shaders/selfcheck_f64.wgsl"),
+};
+const REAL: Source = Source {
+    name: "real_f32.wgsl",
+    text: include_str!("../../shaders/real_f32.wgsl"),
+};
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
@@ -126,11 +136,18 @@ fn measure_f32(gpu: &Gpu, divide: Source) -> Result<Arithmetic> {
     let kernel = gpu.compile(&program)?;
     let inputs: Vec<Input> = (0..INPUTS).map(input).collect();
     let buffers = HashMap::from([
-        ("inputs", gpu.upload("inputs", bytemuck::cast_slice(&inputs))?),
-        ("probes", output(gpu, "probes", size_of::<Probe>() as u64 * u64::from(INPUTS))?),
+        (
+            "inputs",
+            gpu.upload("inputs", bytemuck::cast_slice(&inputs))?,
+        ),
+        (
+            "probes",
+            output(gpu, "probes", size_of::<Probe>() as u64 * u64::from(INPUTS))?,
+        ),
         ("loops", output(gpu, "loops", 64)?),
     ]);
-    gpu.queue.write_buffer(&buffers["loops"], 0, bytemuck::bytes_of(&[LOOPS, 0, 1]));
+    gpu.queue
+        .write_buffer(&buffers["loops"], 0, bytemuck::bytes_of(&[LOOPS, 0, 1]));
     run(gpu, &kernel, "measure", &buffers, INPUTS.div_ceil(64))?;
     run(gpu, &kernel, "count_loops", &buffers, 1)?;
     let probes: Vec<Probe> = read(gpu, &buffers["probes"], INPUTS as usize)?;
@@ -142,8 +159,14 @@ fn measure_f32(gpu: &Gpu, divide: Source) -> Result<Arithmetic> {
         two_prod: each().all(|(i, p)| p.two_prod == two_prod_error(i.a, i.b)),
         contraction: each().any(|(_, p)| p.contraction != 0.0),
         fma_fused: each().all(|(i, p)| p.fused == two_prod_error(i.a, i.b)),
-        division_ulp: each().map(|(i, p)| ulps(p.quotient, i.a / i.b)).max().unwrap_or(0),
-        sqrt_ulp: each().map(|(i, p)| ulps(p.root, i.a.abs().sqrt())).max().unwrap_or(0),
+        division_ulp: each()
+            .map(|(i, p)| ulps(p.quotient, i.a / i.b))
+            .max()
+            .unwrap_or(0),
+        sqrt_ulp: each()
+            .map(|(i, p)| ulps(p.root, i.a.abs().sqrt()))
+            .max()
+            .unwrap_or(0),
         denormals: each().all(|(i, p)| p.tiny == i.a * i.shrink),
         nan_unequal: probes.iter().all(|p| p.nan_unequal == 1),
         loop_budget: (loops[1] < LOOPS).then_some(loops[1]),
@@ -157,12 +180,25 @@ fn measure_f64(gpu: &Gpu) -> Result<u32> {
         .map(|index| {
             let Input { a, b, .. } = input(index);
             // Digits beyond f32's.
-            Pair64 { a: f64::from(a) / 3.0, b: f64::from(b) / 7.0 }
+            Pair64 {
+                a: f64::from(a) / 3.0,
+                b: f64::from(b) / 7.0,
+            }
         })
         .collect();
     let buffers = HashMap::from([
-        ("inputs", gpu.upload("inputs", bytemuck::cast_slice(&inputs))?),
-        ("probes", output(gpu, "probes", size_of::<Pair64>() as u64 * u64::from(INPUTS))?),
+        (
+            "inputs",
+            gpu.upload("inputs", bytemuck::cast_slice(&inputs))?,
+        ),
+        (
+            "probes",
+            output(
+                gpu,
+                "probes",
+                size_of::<Pair64>() as u64 * u64::from(INPUTS),
+            )?,
+        ),
     ]);
     run(gpu, &kernel, "measure", &buffers, INPUTS.div_ceil(64))?;
     let probes: Vec<Pair64> = read(gpu, &buffers["probes"], INPUTS as usize)?;
@@ -192,9 +228,14 @@ fn run(
 
 fn read<T: Pod>(gpu: &Gpu, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {
     let bytes = (count * size_of::<T>()) as u64;
-    let staging =
-        gpu.create_buffer("staging", bytes, BufferUsages::COPY_DST | BufferUsages::MAP_READ)?;
-    Ok(bytemuck::pod_collect_to_vec(&gpu.read_back(buffer, &staging, bytes)?))
+    let staging = gpu.create_buffer(
+        "staging",
+        bytes,
+        BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+    )?;
+    Ok(bytemuck::pod_collect_to_vec(
+        &gpu.read_back(buffer, &staging, bytes)?,
+    ))
 }
 
 /// A pair of numbers of either sign and of up to 2^8 in ratio, so that sums
@@ -205,7 +246,12 @@ fn input(index: u32) -> Input {
         let exponent = 123 + (hash(bits) % 8);
         f32::from_bits((bits & 0x807f_ffff) | (exponent << 23))
     };
-    Input { a: number(0), b: number(1), shrink: f32::MIN_POSITIVE / 1024.0, nan: f32::NAN }
+    Input {
+        a: number(0),
+        b: number(1),
+        shrink: f32::MIN_POSITIVE / 1024.0,
+        nan: f32::NAN,
+    }
 }
 
 /// Jarzynski, Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg.

@@ -31,7 +31,10 @@ impl Assembly {
             wgsl.push_str(file.text);
             wgsl.push('\n');
         }
-        Self { wgsl, files: starts }
+        Self {
+            wgsl,
+            files: starts,
+        }
     }
 
     /// The names of the files.
@@ -57,8 +60,14 @@ mod tests {
     #[test]
     fn a_byte_is_mapped_to_its_file_and_line() {
         let assembly = Assembly::join(&[
-            Source { name: "one.wgsl", text: "a\nb\n" },
-            Source { name: "two.wgsl", text: "c\nd\n" },
+            Source {
+                name: "one.wgsl",
+                text: "a\nb\n",
+            },
+            Source {
+                name: "two.wgsl",
+                text: "c\nd\n",
+            },
         ]);
         let at = |letter| assembly.place(assembly.wgsl.find(letter).unwrap());
         assert_eq!(at('b'), "shaders/one.wgsl:2");

@@ -55,10 +55,19 @@ impl Stage {
         let pixels = gpu.create_buffer("pixels", pixel_bytes, working)?;
         let frame = HashMap::from([
             ("dispatch", dispatch.clone()),
-            ("camera", gpu.upload_uniform("camera", bytemuck::bytes_of(&flat.camera))?),
-            ("closest_t", gpu.create_buffer("closest_t", tile * 4, working)?),
+            (
+                "camera",
+                gpu.upload_uniform("camera", bytemuck::bytes_of(&flat.camera))?,
+            ),
+            (
+                "closest_t",
+                gpu.create_buffer("closest_t", tile * 4, working)?,
+            ),
             ("pixels", pixels.clone()),
-            ("surroundings", gpu.upload_uniform("surroundings", bytemuck::bytes_of(&flat.surroundings))?),
+            (
+                "surroundings",
+                gpu.upload_uniform("surroundings", bytemuck::bytes_of(&flat.surroundings))?,
+            ),
         ]);
         let shading = HashMap::from([
             ("materials", upload_all(gpu, "materials", &flat.materials)?),
@@ -91,9 +100,13 @@ impl Stage {
         window: usize,
         orders: &Dispatch,
     ) -> Result<()> {
-        gpu.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(orders));
+        gpu.queue
+            .write_buffer(&self.dispatch, 0, bytemuck::bytes_of(orders));
         let groups = [&self.frame, &self.shading, &self.windows[window]];
-        let workgroups = [orders.size[0].div_ceil(WORKGROUP), orders.rows.div_ceil(WORKGROUP)];
+        let workgroups = [
+            orders.size[0].div_ceil(WORKGROUP),
+            orders.rows.div_ceil(WORKGROUP),
+        ];
         kernel.run(gpu, entry, &groups, workgroups)
     }
 
@@ -116,9 +129,16 @@ fn upload_window(
     window: &Range<u32>,
 ) -> Result<HashMap<&'static str, wgpu::Buffer>> {
     let triangles = part(window, flat.first_triangle(), flat.triangles.len());
-    let normals = if flat.corner_normals.is_empty() { 0..0 } else { triangles.clone() };
+    let normals = if flat.corner_normals.is_empty() {
+        0..0
+    } else {
+        triangles.clone()
+    };
     Ok(HashMap::from([
-        ("material_indices", upload_part(gpu, "materials", &flat.material_indices, window.clone())?),
+        (
+            "material_indices",
+            upload_part(gpu, "materials", &flat.material_indices, window.clone())?,
+        ),
         (
             "spheres",
             upload_part(
@@ -146,8 +166,14 @@ fn upload_window(
                 part(window, flat.first_disk(), flat.disks.len()),
             )?,
         ),
-        ("triangles", upload_part(gpu, "triangles", &flat.triangles, triangles)?),
-        ("corner_normals", upload_part(gpu, "corner normals", &flat.corner_normals, normals)?),
+        (
+            "triangles",
+            upload_part(gpu, "triangles", &flat.triangles, triangles)?,
+        ),
+        (
+            "corner_normals",
+            upload_part(gpu, "corner normals", &flat.corner_normals, normals)?,
+        ),
     ]))
 }
 

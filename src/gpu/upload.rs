@@ -36,7 +36,9 @@ impl Gpu {
         });
         let refused = pollster::block_on(invalid.pop());
         if let Some(error) = pollster::block_on(memory.pop()).or(refused) {
-            return Err(Error::Limit(format!("the buffer `{name}` of {size} bytes: {error}")));
+            return Err(Error::Limit(format!(
+                "the buffer `{name}` of {size} bytes: {error}"
+            )));
         }
         Ok(buffer)
     }

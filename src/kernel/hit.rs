@@ -26,7 +26,11 @@ pub struct Surface {
 
 /// Nothing hit, nothing tested.
 pub fn no_hit<R: Real>() -> Hit<R> {
-    Hit { t: R::MISS, id: NO_HIT, tests: 0 }
+    Hit {
+        t: R::MISS,
+        id: NO_HIT,
+        tests: 0,
+    }
 }
 
 /// Counts a test and keeps its hit if it is nearer. Primitives are tested in

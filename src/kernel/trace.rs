@@ -54,5 +54,9 @@ pub fn trace_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Pixel {
     let ray = camera_ray(&flat.camera, flat.size, x, y);
     let mut hit = no_hit();
     closest_hit(flat, ray, &mut hit);
-    if hit.id == NO_HIT { shade_miss(flat, ray, hit) } else { shade_hit(flat, ray, hit) }
+    if hit.id == NO_HIT {
+        shade_miss(flat, ray, hit)
+    } else {
+        shade_hit(flat, ray, hit)
+    }
 }

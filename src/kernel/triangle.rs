@@ -49,12 +49,21 @@ fn axis_last<R: Real>(v: Vec3<R>, axis: u32) -> Vec3<R> {
 
 /// The ray's shear.
 pub fn shear_of<R: Real>(ray: Ray<R>) -> Shear<R> {
-    let size = vec3(ray.direction.x.abs(), ray.direction.y.abs(), ray.direction.z.abs());
+    let size = vec3(
+        ray.direction.x.abs(),
+        ray.direction.y.abs(),
+        ray.direction.z.abs(),
+    );
     let xy = if size.x > size.y { 0 } else { 1 };
     let largest = if size.x > size.y { size.x } else { size.y };
     let axis = if largest > size.z { xy } else { 2 };
     let d = axis_last(ray.direction, axis);
-    Shear { axis, x: divide(d.x, d.z), y: divide(d.y, d.z), z: d.z }
+    Shear {
+        axis,
+        x: divide(d.x, d.z),
+        y: divide(d.y, d.z),
+        z: d.z,
+    }
 }
 
 /// The edge functions of a triangle as the ray sees it. A triangle whose edge

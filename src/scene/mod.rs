@@ -3,12 +3,17 @@
 //! A scene comes from a TOML file ([`Scene::load`]) or is built in code from
 //! the types below, then checked with [`Scene::validate`].
 
+mod check;
 pub mod mesh;
 pub mod obj;
+pub mod parse;
+pub mod policy;
 
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
+
+pub use check::{MAX_IMAGE_SIDE, MAX_MAGNITUDE};
 
 /// A linear RGB colour; 1 is full, values above 1 are allowed.
 pub type Rgb = [f64; 3];

@@ -1,0 +1,183 @@
+//! Rules for numbers, colours, directions and the camera, each stated once: the
+//! parser puts a line and a column to a [`Flaw`], `Scene::validate` an index.
+
+use glam::DVec3;
+
+use crate::scene::Rgb;
+
+/// Largest magnitude of a number in a scene. Squares in f32 overflow above
+/// 1.8e19, which leaves four decades for sums and scales; and up to it
+/// neighbouring f64 values lie at most an eighth apart, so that subtracting the
+/// camera's position still leaves a meaningful difference.
+pub const MAX_MAGNITUDE: f64 = 1e15;
+
+/// Largest width or height of a picture: pixel numbers then fit 30 bits and a
+/// sample position is exact in f32.
+pub const MAX_IMAGE_SIDE: u64 = 32768;
+
+/// Sine of the smallest angle between `up` and the line of sight. Rounding
+/// leaves their f64 cross product (differences, products, sums) with a relative
+/// error below 3 sqrt(3) 2^-53 over that sine; at 2^-26 the camera's horizontal
+/// axis still has the 24 bits of an f32.
+const MIN_UP_SINE: f64 = 1.0 / (1u64 << 26) as f64;
+
+/// What breaks a rule.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Flaw {
+    /// What is wrong, with the value.
+    pub message: String,
+    /// A word under the underline.
+    pub label: &'static str,
+    /// What would be right.
+    pub help: String,
+}
+
+/// Does a value keep a rule?
+pub type Verdict = std::result::Result<(), Flaw>;
+
+impl Flaw {
+    pub(super) fn index(what: &str, index: usize, count: usize) -> Self {
+        flaw(
+            format!("{what} {index} does not exist"),
+            "no such index",
+            format!("there are {count}, counted from 0"),
+        )
+    }
+
+    pub(super) fn at(mut self, place: &str) -> Self {
+        self.message = format!("{place}: {}", self.message);
+        self
+    }
+}
+
+pub(super) fn flaw(message: String, label: &'static str, help: impl Into<String>) -> Flaw {
+    Flaw {
+        message,
+        label,
+        help: help.into(),
+    }
+}
+
+pub(super) fn require(holds: bool, flaw: impl FnOnce() -> Flaw) -> Verdict {
+    if holds { Ok(()) } else { Err(flaw()) }
+}
+
+/// A finite number of a magnitude that f32 arithmetic can square.
+pub fn number(what: &str, x: f64) -> Verdict {
+    require(x.is_finite(), || {
+        let message = format!("`{what}` must be a finite number, but is {x}");
+        flaw(message, "not finite", "write a plain number such as 1.5")
+    })?;
+    require(x.abs() <= MAX_MAGNITUDE, || {
+        flaw(
+            format!("`{what}` is {x:e}, beyond {MAX_MAGNITUDE:e}"),
+            "too large",
+            format!("keep magnitudes up to {MAX_MAGNITUDE:e}, where f32 squares cannot overflow"),
+        )
+    })
+}
+
+/// A number greater than 0.
+pub fn positive(what: &str, x: f64) -> Verdict {
+    number(what, x)?;
+    require(x > 0.0, || {
+        let message = format!("`{what}` must be greater than 0, but is {x}");
+        flaw(message, "not positive", "write a number greater than 0")
+    })
+}
+
+/// A number that is 0 or more.
+pub fn not_negative(what: &str, x: f64) -> Verdict {
+    number(what, x)?;
+    require(x >= 0.0, || {
+        let message = format!("`{what}` must not be negative, but is {x}");
+        flaw(message, "negative", "write 0 or more")
+    })
+}
+
+/// A factor of a scale: any number but 0.
+pub fn factor(what: &str, x: f64) -> Verdict {
+    number(what, x)?;
+    require(x != 0.0, || {
+        let message = format!("`{what}` must not be 0: the shape would have no size");
+        flaw(message, "zero", "write 1 to keep the size")
+    })
+}
+
+/// A full angle of view in degrees, between 0 and 180.
+pub fn field_of_view(what: &str, degrees: f64) -> Verdict {
+    require(degrees > 0.0 && degrees < 180.0, || {
+        let message = format!("`{what}` must lie between 0 and 180 degrees, but is {degrees}");
+        flaw(message, "out of range", "60 is a usual full vertical angle")
+    })
+}
+
+/// The width or height of a picture in pixels.
+pub fn image_side(what: &str, pixels: u64) -> Verdict {
+    require((1..=MAX_IMAGE_SIDE).contains(&pixels), || {
+        flaw(
+            format!("`{what}` must be from 1 to {MAX_IMAGE_SIDE} pixels, but is {pixels}"),
+            "out of range",
+            format!("pictures up to {MAX_IMAGE_SIDE} x {MAX_IMAGE_SIDE} can be rendered"),
+        )
+    })
+}
+
+/// A position: three numbers.
+pub fn point(what: &str, p: DVec3) -> Verdict {
+    p.to_array().iter().try_for_each(|&x| number(what, x))
+}
+
+/// A vector of any length but 0. A length whose square underflows counts as 0:
+/// it cannot be normalised.
+pub fn direction(what: &str, v: DVec3) -> Verdict {
+    point(what, v)?;
+    require(v.length_squared() >= f64::MIN_POSITIVE, || {
+        flaw(
+            format!("`{what}` is {v}, which points nowhere"),
+            "zero length",
+            "write a vector of any length but 0, such as [0, 1, 0]",
+        )
+    })
+}
+
+/// A linear colour: no part negative.
+pub fn color(what: &str, rgb: Rgb) -> Verdict {
+    rgb.iter().try_for_each(|&x| not_negative(what, x))
+}
+
+/// A fraction of light per channel.
+pub fn albedo(what: &str, rgb: Rgb) -> Verdict {
+    rgb.iter().try_for_each(|&x| {
+        number(what, x)?;
+        require((0.0..=1.0).contains(&x), || {
+            let message = format!("`{what}` must lie between 0 and 1, but has a part of {x}");
+            let help = "a surface scatters no less than none and no more than all of the light";
+            flaw(message, "out of range", help)
+        })
+    })
+}
+
+/// The camera looks somewhere.
+pub fn line_of_sight(eye: DVec3, target: DVec3) -> Verdict {
+    require((target - eye).length_squared() >= f64::MIN_POSITIVE, || {
+        flaw(
+            format!("`target` {target} is where `eye` is: the camera looks nowhere"),
+            "same as eye",
+            "move `target` to the point in the middle of the picture",
+        )
+    })
+}
+
+/// `up` is not along the line of sight, so the picture has a horizontal.
+pub fn upward(up: DVec3, forward: DVec3) -> Verdict {
+    let (up_length, forward_length) = (up.length(), forward.length());
+    let sine = (up / up_length).cross(forward / forward_length).length();
+    require(sine >= MIN_UP_SINE, || {
+        flaw(
+            format!("`up` {up} is parallel to the line of sight {forward}"),
+            "parallel to the line of sight",
+            "choose another `up`, such as [0, 0, 1] for a camera that looks straight down",
+        )
+    })
+}
