@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::{Background, Camera, Geometry, Light, Mesh, Scene, Shape};
 use crate::{Error, Result};
 pub(super) use rule::*;
-pub use rule::{MAX_IMAGE_SIDE, MAX_MAGNITUDE};
+pub use rule::{MAX_IMAGE_SIDE, MAX_MAGNITUDE, MIN_SIZE};
 pub(super) use solid::*;
 
 impl Scene {

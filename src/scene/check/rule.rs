@@ -11,6 +11,10 @@ use crate::scene::Rgb;
 /// camera's position still leaves a meaningful difference.
 pub const MAX_MAGNITUDE: f64 = 1e15;
 
+/// Smallest radius, and smallest factor of a scale: squares in f32 underflow
+/// below 1e-19, and a transform's inverse then stays below [`MAX_MAGNITUDE`].
+pub const MIN_SIZE: f64 = 1.0 / MAX_MAGNITUDE;
+
 /// Largest width or height of a picture: pixel numbers then fit 30 bits and a
 /// sample position is exact in f32.
 pub const MAX_IMAGE_SIDE: u64 = 32768;
@@ -77,12 +81,23 @@ pub fn number(what: &str, x: f64) -> Verdict {
     })
 }
 
-/// A number greater than 0.
-pub fn positive(what: &str, x: f64) -> Verdict {
+/// A radius, or a factor that scales one: greater than 0 by [`MIN_SIZE`].
+pub fn size(what: &str, x: f64) -> Verdict {
     number(what, x)?;
     require(x > 0.0, || {
         let message = format!("`{what}` must be greater than 0, but is {x}");
         flaw(message, "not positive", "write a number greater than 0")
+    })?;
+    not_tiny(what, x)
+}
+
+fn not_tiny(what: &str, x: f64) -> Verdict {
+    require(x.abs() >= MIN_SIZE, || {
+        flaw(
+            format!("`{what}` is {x:e}, below {MIN_SIZE:e}"),
+            "too small",
+            format!("keep sizes from {MIN_SIZE:e}, where f32 squares cannot underflow"),
+        )
     })
 }
 
@@ -95,13 +110,14 @@ pub fn not_negative(what: &str, x: f64) -> Verdict {
     })
 }
 
-/// A factor of a scale: any number but 0.
+/// A factor of a scale: of either sign, but not 0 by [`MIN_SIZE`].
 pub fn factor(what: &str, x: f64) -> Verdict {
     number(what, x)?;
     require(x != 0.0, || {
         let message = format!("`{what}` must not be 0: the shape would have no size");
         flaw(message, "zero", "write 1 to keep the size")
-    })
+    })?;
+    not_tiny(what, x)
 }
 
 /// A full angle of view in degrees, between 0 and 180.
@@ -128,11 +144,13 @@ pub fn point(what: &str, p: DVec3) -> Verdict {
     p.to_array().iter().try_for_each(|&x| number(what, x))
 }
 
-/// A vector of any length but 0. A length whose square underflows counts as 0:
-/// it cannot be normalised.
+/// A vector of any length but 0. A length counts as 0 whose square underflows
+/// once the smallest transform has shrunk it: it cannot be normalised.
 pub fn direction(what: &str, v: DVec3) -> Verdict {
     point(what, v)?;
-    require(v.length_squared() >= f64::MIN_POSITIVE, || {
+    // A normal is multiplied by products of two columns of its transform.
+    let shrunk = v * (MIN_SIZE * MIN_SIZE);
+    require(shrunk.length_squared() >= f64::MIN_POSITIVE, || {
         flaw(
             format!("`{what}` is {v}, which points nowhere"),
             "zero length",

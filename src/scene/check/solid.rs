@@ -2,25 +2,28 @@
 
 use glam::{DMat3, DVec3};
 
-use super::rule::{Flaw, MAX_MAGNITUDE, Verdict, direction, flaw, point, positive, require};
+use super::rule::{Flaw, MAX_MAGNITUDE, MIN_SIZE, Verdict, direction, flaw, point, require, size};
 use crate::scene::{Geometry, Mesh, Transform};
 
 /// Relative rounding error of the products and differences of two or three
 /// vectors that stand below, 4 ulp: a result under it cannot be told from 0.
-const CANCELLED: f64 = 4.0 * f64::EPSILON;
+pub const CANCELLED: f64 = 4.0 * f64::EPSILON;
 
-/// A matrix that flattens nothing: its determinant is larger than the rounding
+/// A matrix that flattens nothing: its columns are not shorter than
+/// [`MIN_SIZE`], and its determinant is larger than the rounding
 /// error of computing it (Hadamard's bound times a few ulp).
 pub fn invertible(m: DMat3) -> Verdict {
-    for column in [m.x_axis, m.y_axis, m.z_axis] {
-        point("transform", column)?;
-    }
-    let bound = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
-    require(m.determinant().abs() > CANCELLED * bound, || {
+    let columns = [m.x_axis, m.y_axis, m.z_axis];
+    columns.iter().try_for_each(|&c| point("transform", c))?;
+    let lengths = columns.map(DVec3::length);
+    // A rotation rounds the length of a column by a few ulp.
+    let long = lengths.iter().all(|&l| l >= MIN_SIZE * (1.0 - CANCELLED));
+    let bound: f64 = lengths.iter().product();
+    require(long && m.determinant().abs() > CANCELLED * bound, || {
         flaw(
             format!("the transform {m} is singular: it flattens the shape"),
             "singular",
-            "use a scale without 0 and columns that span space",
+            format!("use scales from {MIN_SIZE:e} and columns that span space"),
         )
     })
 }
@@ -55,7 +58,7 @@ pub fn geometry(shape: &Geometry) -> std::result::Result<DVec3, Flaw> {
     match *shape {
         Geometry::Sphere { center, radius } => {
             point("center", center)?;
-            positive("radius", radius)?;
+            size("radius", radius)?;
             Ok(center.abs() + DVec3::splat(radius))
         }
         Geometry::Plane { point: p, normal } => {
@@ -70,7 +73,7 @@ pub fn geometry(shape: &Geometry) -> std::result::Result<DVec3, Flaw> {
         } => {
             point("center", center)?;
             direction("normal", normal)?;
-            positive("radius", radius)?;
+            size("radius", radius)?;
             Ok(center.abs() + DVec3::splat(radius))
         }
         Geometry::Triangle { vertices } => {

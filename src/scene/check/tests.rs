@@ -203,6 +203,19 @@ fn dependent_columns_are_singular_whatever_their_rounding() {
 }
 
 #[test]
+fn what_is_valid_keeps_its_normals_finite() {
+    // The smallest direction that passes, under the smallest transform.
+    let least = (f64::MIN_POSITIVE.sqrt() / (MIN_SIZE * MIN_SIZE)) * (1.0 + CANCELLED);
+    assert!(direction("normal", DVec3::Y * least).is_ok());
+    assert!(direction("normal", DVec3::Y * (least * 0.9)).is_err());
+    let smallest = DMat3::from_diagonal(DVec3::splat(MIN_SIZE));
+    assert!(invertible(smallest).is_ok());
+    assert!(invertible(smallest * 0.9).is_err());
+    let cofactor = smallest.y_axis.cross(smallest.z_axis).x;
+    assert!((DVec3::Y * least * cofactor).normalize().is_finite());
+}
+
+#[test]
 fn meshes_are_checked() {
     type Edit = fn(&mut Mesh);
     let edits: [(Edit, &str); 7] = [

@@ -87,7 +87,7 @@ fn scale(
     faults: &mut Faults<'_>,
 ) -> Option<DVec3> {
     let rule = match stretch {
-        Stretch::Radius => check::positive,
+        Stretch::Radius => check::size,
         Stretch::Uniform | Stretch::PerAxis => check::factor,
     };
     if !matches!(value.get_ref(), DeValue::Array(_)) {

@@ -106,7 +106,7 @@ impl Draft {
 
 fn sphere(section: &mut Section<'_, '_>, faults: &mut Faults<'_>) -> (Placement, Option<Form>) {
     let center = section.or("center", DVec3::ZERO, faults, vector);
-    let radius = section.required("radius", faults, ruled(number, check::positive));
+    let radius = section.required("radius", faults, ruled(number, check::size));
     let placement = Placement::read(section, Stretch::Radius, faults);
     let form = radius.map(|radius| {
         let geometry = Geometry::Sphere {
@@ -135,7 +135,7 @@ fn plane(section: &mut Section<'_, '_>, faults: &mut Faults<'_>) -> (Placement, 
 fn disk(section: &mut Section<'_, '_>, faults: &mut Faults<'_>) -> (Placement, Option<Form>) {
     let center = section.required("center", faults, vector);
     let normal = section.required("normal", faults, ruled(vector, check::direction));
-    let radius = section.required("radius", faults, ruled(number, check::positive));
+    let radius = section.required("radius", faults, ruled(number, check::size));
     let placement = Placement::read(section, Stretch::Radius, faults);
     let form = (|| {
         let geometry = Geometry::Disk {
