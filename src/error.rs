@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceSpan};
 
 /// The library's result.
-pub type Result<T> = std::result::Result<T, Error>;
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// What went wrong; [`Error::exit_code`] tells a script which kind it was.
 #[derive(Debug, thiserror::Error, Diagnostic)]

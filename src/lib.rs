@@ -1,4 +1,24 @@
 //! rayproof: a headless GPU ray tracer whose pictures can be trusted.
+//!
+//! The way of the data, and the order in which to read the modules: a scene file
+//! becomes a [`scene`] (f64, validated); [`effects`] says what it calls for;
+//! [`mod@flatten`] turns it into plain arrays, the same bytes for both tracers;
+//! [`gpu`] or [`cpu`] traces them, the one with the shaders, the other with the
+//! [`kernel`], their twin; the result is a [`frame`], and [`compare`] says how two
+//! of them differ.
+//!
+//! # Example
+//!
+//! ```
+//! use rayproof::{Accuracy, Backend, Scene, Tolerance, Unwatched, compare_frames, render};
+//!
+//! let scene = Scene::load("assets/scenes/shapes.toml")?.with_size(64, 64);
+//! let on_gpu = render(&scene, &Backend::auto()?, Accuracy::Robust, &Unwatched)?;
+//! let on_cpu = render(&scene, &Backend::Cpu(None), Accuracy::Robust, &Unwatched)?;
+//! let comparison = compare_frames(&on_gpu.frame, &on_cpu.frame, &Tolerance::default())?;
+//! assert_eq!(comparison.different_pixels, 0);
+//! # Ok::<(), rayproof::Error>(())
+//! ```
 
 pub mod compare;
 pub mod cpu;
@@ -13,4 +33,9 @@ pub mod render;
 pub mod scene;
 pub mod watch;
 
+pub use compare::{Comparison, Tolerance, compare_frames};
 pub use error::{Error, Result};
+pub use frame::{Frame, Layer};
+pub use render::{Accuracy, Backend, Rendering, render};
+pub use scene::Scene;
+pub use watch::{Unwatched, Watch};

@@ -197,6 +197,12 @@ impl Gpu {
         self.exact
     }
 
+    /// Whether pictures should equal the CPU's bit for bit: operations are kept as
+    /// written, and each rounds as Rust's.
+    pub fn is_bit_exact(&self) -> bool {
+        self.exact && self.arithmetic.is_exact()
+    }
+
     /// Whether the device computes in f64 too.
     pub fn has_f64(&self) -> bool {
         self.device.features().contains(Features::SHADER_F64)

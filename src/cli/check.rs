@@ -1,0 +1,85 @@
+//! `rayproof check`.
+
+use serde::Serialize;
+
+use super::Outcome;
+use super::flags::{CheckArguments, Common};
+use super::report::{self, table};
+use rayproof::effects::effects_of;
+use rayproof::error::Result;
+use rayproof::flatten::flatten;
+
+/// What is in a scene.
+#[derive(Serialize)]
+struct Contents {
+    scene: String,
+    width: u32,
+    height: u32,
+    spheres: usize,
+    planes: usize,
+    disks: usize,
+    triangles: usize,
+    lights: usize,
+    materials: usize,
+    effects: Vec<&'static str>,
+    device_bytes: u64,
+    warnings: Vec<String>,
+}
+
+/// Loads a scene with everything it refers to, and says what is in it. Its
+/// faults, if it has any, come back as the error.
+pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome> {
+    let loaded = arguments.policy.load(&arguments.scene)?;
+    let flat = flatten::<f32>(&loaded.scene);
+    let contents = Contents {
+        scene: arguments.scene.display().to_string(),
+        width: flat.size[0],
+        height: flat.size[1],
+        spheres: flat.spheres.len(),
+        planes: flat.planes.len(),
+        disks: flat.disks.len(),
+        triangles: flat.triangles.len(),
+        lights: flat.lights.len(),
+        materials: flat.materials.len(),
+        effects: effects_of(&flat),
+        device_bytes: flat.bytes(),
+        warnings: loaded.warnings,
+    };
+    if common.json {
+        report::print(&report::json(&contents))?;
+        return Ok(Outcome::Done);
+    }
+    for warning in &contents.warnings {
+        tracing::warn!("{warning}");
+    }
+    if !common.quiet {
+        report::print(&summary(&contents))?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn summary(contents: &Contents) -> String {
+    table(&[
+        ("scene", format!("{}: no faults", contents.scene)),
+        (
+            "picture",
+            format!("{} x {}", contents.width, contents.height),
+        ),
+        (
+            "shapes",
+            format!(
+                "{} spheres, {} planes, {} disks, {} triangles",
+                contents.spheres, contents.planes, contents.disks, contents.triangles
+            ),
+        ),
+        ("lights", contents.lights.to_string()),
+        ("effects", contents.effects.join(", ")),
+        (
+            "memory",
+            format!(
+                "{:.1} MiB on the device",
+                contents.device_bytes as f64 / 1_048_576.0
+            ),
+        ),
+    ])
+}

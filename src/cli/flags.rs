@@ -1,0 +1,303 @@
+//! The flags as declared, and their conversion into checked options.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use rayproof::compare::Tolerance;
+use rayproof::error::{Error, Result};
+use rayproof::frame::Layer;
+use rayproof::gpu::device::Gpu;
+use rayproof::render::{Accuracy, Backend};
+use rayproof::scene::Scene;
+use rayproof::scene::mesh::Builtin;
+use rayproof::scene::parse::{self, Loaded};
+use rayproof::scene::policy::Policy;
+
+/// A headless ray tracer whose pictures can be trusted.
+#[derive(Debug, Parser)]
+#[command(name = "rayproof", version, about, max_term_width = 100)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) command: Command,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Render a scene to a PNG or EXR file
+    Render(RenderArguments),
+    /// Render a scene on GPU and CPU and compare, or compare two image files
+    Compare(CompareArguments),
+    /// Check a scene and all that it refers to, and report every fault at once
+    Check(CheckArguments),
+    /// Show the adapters of this machine and what their arithmetic does
+    Doctor,
+    /// Write a built-in mesh as an OBJ file
+    Mesh(MeshArguments),
+}
+
+/// Flags that every command takes.
+#[derive(Debug, Args)]
+pub(super) struct Common {
+    /// Print one JSON object in place of a table
+    #[arg(long, global = true)]
+    pub(super) json: bool,
+    /// When to show progress
+    #[arg(long, global = true, value_enum, default_value_t = ProgressMode::Auto)]
+    pub(super) progress: ProgressMode,
+    /// Say nothing but errors
+    #[arg(long, short, global = true)]
+    pub(super) quiet: bool,
+    /// Say more; twice for still more
+    #[arg(long, short, global = true, action = clap::ArgAction::Count)]
+    pub(super) verbose: u8,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ProgressMode {
+    /// On a terminal, for work over a second
+    Auto,
+    /// A bar in any case
+    Always,
+    /// None
+    Never,
+    /// One JSON object a line, on standard error
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RenderArguments {
+    /// The scene file
+    pub(super) scene: PathBuf,
+    /// The picture to write, .png or .exr
+    #[arg(long, short)]
+    pub(super) output: PathBuf,
+    #[command(flatten)]
+    pub(super) tracing: TracingFlags,
+    /// What a pixel shows; for .exr several, or all layers if none is given
+    #[arg(long, value_name = "LAYER", value_delimiter = ',', value_parser = parse_layer)]
+    pub(super) layer: Vec<Layer>,
+    /// Write figures of the run as JSON to a file, or to standard output as `-`
+    #[arg(long, value_name = "FILE")]
+    pub(super) stats: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct TracingFlags {
+    /// What traces the rays
+    #[arg(long, value_enum, default_value_t = BackendChoice::Auto)]
+    pub(super) backend: BackendChoice,
+    #[command(flatten)]
+    pub(super) place: PlaceFlags,
+    /// Formulas and width of the geometry
+    #[arg(long, value_enum, default_value_t = AccuracyChoice::Robust)]
+    pub(super) accuracy: AccuracyChoice,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct PlaceFlags {
+    /// The GPU adapter whose name, driver or backend contains this
+    #[arg(long, value_name = "SUBSTRING")]
+    pub(super) adapter: Option<String>,
+    /// Size of the picture, in place of the scene's own
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub(super) size: Option<(u32, u32)>,
+    /// Threads of the CPU path; one for each core if not given
+    #[arg(long, value_name = "N")]
+    pub(super) threads: Option<NonZeroUsize>,
+    #[command(flatten)]
+    pub(super) policy: PolicyFlags,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct PolicyFlags {
+    /// Let the scene refer to files outside its folder
+    #[arg(long)]
+    pub(super) allow_outside: bool,
+    /// Take dropped faces and the like for errors
+    #[arg(long)]
+    pub(super) strict: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum BackendChoice {
+    /// The best GPU adapter, software Vulkan included, or else the CPU
+    Auto,
+    /// A GPU adapter
+    Gpu,
+    /// The CPU reference path
+    Cpu,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum AccuracyChoice {
+    /// Stable formulas in f32
+    Robust,
+    /// Stable formulas in f64, scene and rays unrounded; on the CPU
+    Double,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CompareArguments {
+    /// A scene file, or an image file
+    pub(super) left: PathBuf,
+    /// A second image file; or a second scene file, for the CPU in place of the first
+    pub(super) right: Option<PathBuf>,
+    /// Write a picture of the differences
+    #[arg(long, short, value_name = "DIFF.png")]
+    pub(super) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) place: PlaceFlags,
+    /// Units in the last place by which a value may differ
+    #[arg(long, value_name = "N")]
+    pub(super) max_ulp: Option<u32>,
+    /// Absolute difference by which a value may differ
+    #[arg(long, value_name = "X")]
+    pub(super) max_abs: Option<f64>,
+    /// Pixels that may differ by more
+    #[arg(long, value_name = "N")]
+    pub(super) max_pixels: Option<u64>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CheckArguments {
+    /// The scene file
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) policy: PolicyFlags,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct MeshArguments {
+    /// The built-in mesh: teapot, icosphere, knot, terrain, box or tetrahedron
+    #[arg(value_parser = parse_builtin)]
+    pub(super) name: Builtin,
+    /// The wished number of triangles, 4 to 10 million
+    #[arg(long, value_name = "N",
+          value_parser = clap::value_parser!(u32).range(4..=i64::from(rayproof::scene::mesh::MAX_DETAIL)))]
+    pub(super) detail: Option<u32>,
+    /// The OBJ file to write
+    #[arg(long, short)]
+    pub(super) output: PathBuf,
+}
+
+impl TracingFlags {
+    /// Opens what is to trace the rays, and says so where `auto` chose.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoAdapter`] where a GPU is demanded and there is none.
+    pub(super) fn open_backend(&self) -> Result<Backend> {
+        let threads = self.place.threads;
+        match self.backend {
+            BackendChoice::Cpu if self.place.adapter.is_some() => Err(Error::Usage(
+                "`--adapter` names a GPU, `--backend cpu` needs none".into(),
+            )),
+            BackendChoice::Cpu => Ok(Backend::Cpu(threads)),
+            BackendChoice::Gpu => Ok(Backend::Gpu(Box::new(self.place.open_gpu()?))),
+            // What is only computed on the CPU is computed there.
+            BackendChoice::Auto if self.accuracy() == Accuracy::Double => Ok(Backend::Cpu(threads)),
+            BackendChoice::Auto => match self.place.open_gpu() {
+                Ok(gpu) => Ok(Backend::Gpu(Box::new(gpu))),
+                Err(Error::NoAdapter(reason)) if self.place.adapter.is_none() => {
+                    tracing::warn!("no GPU adapter: {reason}; rendering on the CPU");
+                    Ok(Backend::Cpu(threads))
+                }
+                Err(error) => Err(error),
+            },
+        }
+    }
+
+    /// The accuracy asked for.
+    pub(super) fn accuracy(&self) -> Accuracy {
+        match self.accuracy {
+            AccuracyChoice::Robust => Accuracy::Robust,
+            AccuracyChoice::Double => Accuracy::Double,
+        }
+    }
+}
+
+impl PlaceFlags {
+    /// Opens the GPU adapter asked for.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoAdapter`] where there is none.
+    pub(super) fn open_gpu(&self) -> Result<Gpu> {
+        Gpu::open(self.adapter.as_deref())
+    }
+
+    /// Loads a scene, in the size asked for.
+    ///
+    /// # Errors
+    ///
+    /// All the faults of the scene.
+    pub(super) fn load(&self, path: &Path) -> Result<Scene> {
+        let Loaded { scene, warnings } = self.policy.load(path)?;
+        for warning in warnings {
+            tracing::warn!("{warning}");
+        }
+        Ok(match self.size {
+            Some((width, height)) => scene.with_size(width, height),
+            None => scene,
+        })
+    }
+}
+
+impl PolicyFlags {
+    /// Loads a scene and keeps its warnings.
+    ///
+    /// # Errors
+    ///
+    /// All the faults of the scene.
+    pub(super) fn load(&self, path: &Path) -> Result<Loaded> {
+        let policy = Policy {
+            allow_outside: self.allow_outside,
+            strict: self.strict,
+            ..Policy::default()
+        };
+        parse::load(path, &policy)
+    }
+}
+
+impl CompareArguments {
+    /// What was asked for; where nothing was, `otherwise`.
+    pub(super) fn tolerance(&self, otherwise: Tolerance) -> Tolerance {
+        if self.max_ulp.is_none() && self.max_abs.is_none() && self.max_pixels.is_none() {
+            return otherwise;
+        }
+        Tolerance {
+            max_ulp: self.max_ulp.unwrap_or(0),
+            max_abs: self.max_abs.unwrap_or(0.0),
+            different_pixels: self.max_pixels.unwrap_or(0),
+        }
+    }
+}
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let wrong = || format!("`{text}` is not a size; write it as 640x480");
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(wrong)?;
+    let size = (
+        width.parse().map_err(|_| wrong())?,
+        height.parse().map_err(|_| wrong())?,
+    );
+    let most = rayproof::scene::MAX_IMAGE_SIDE as u32;
+    if size.0 == 0 || size.1 == 0 || size.0 > most || size.1 > most {
+        return Err(format!("each side of `{text}` must be 1 to {most} pixels"));
+    }
+    Ok(size)
+}
+
+fn parse_layer(text: &str) -> Result<Layer, String> {
+    text.parse().map_err(|error: Error| error.to_string())
+}
+
+fn parse_builtin(text: &str) -> Result<Builtin, String> {
+    Builtin::from_name(text).ok_or_else(|| {
+        let names = Builtin::ALL.map(Builtin::name).join(", ");
+        format!("there is no built-in mesh `{text}`; there are {names}")
+    })
+}

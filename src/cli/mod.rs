@@ -1,0 +1,52 @@
+//! The command line: a thin layer over the library.
+//!
+//! [`flags`] declares the flags and turns them into checked options; one file
+//! for each command does the work; [`report`] says how it went.
+
+mod check;
+mod compare;
+mod doctor;
+mod flags;
+mod mesh;
+mod progress;
+mod render;
+mod report;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use self::flags::{Cli, Command};
+use rayproof::error::Result;
+
+/// How a command ended that met no error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    /// Exit code 0.
+    Done,
+    /// A comparison fell short: exit code 1.
+    FellShort,
+}
+
+/// Parses the command line, runs the command and gives the exit code.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return report::usage(&error),
+    };
+    report::quiet_drivers();
+    report::start_logging(&cli.common);
+    progress::watch_for_interrupts();
+    // Not by returning: dropping a device that hangs would hang as well.
+    std::process::exit(i32::from(report::exit_code(run(&cli))))
+}
+
+fn run(cli: &Cli) -> Result<Outcome> {
+    match &cli.command {
+        Command::Render(arguments) => render::run(arguments, &cli.common),
+        Command::Compare(arguments) => compare::run(arguments, &cli.common),
+        Command::Check(arguments) => check::run(arguments, &cli.common),
+        Command::Doctor => doctor::run(&cli.common),
+        Command::Mesh(arguments) => mesh::run(arguments, &cli.common),
+    }
+}

@@ -1,0 +1,145 @@
+//! `rayproof render`.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::Outcome;
+use super::flags::{Common, RenderArguments};
+use super::progress::Progress;
+use super::report::{self, table};
+use rayproof::error::{Error, Result};
+use rayproof::frame::{self, Layer};
+use rayproof::render::{Rendering, Stats, render};
+use rayproof::scene::Transfer;
+
+/// The kinds of picture that can be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Png,
+    Exr,
+}
+
+/// The figures of a run, with the scene's name.
+#[derive(Serialize)]
+struct Figures<'a> {
+    scene: String,
+    #[serde(flatten)]
+    stats: &'a Stats,
+}
+
+/// Renders a scene to a file. Whatever can be known to go wrong is found out
+/// before the first ray.
+pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcome> {
+    let format = format_of(&arguments.output)?;
+    let layers = layers_of(arguments, format)?;
+    frame::check_writable(&arguments.output)?;
+    if let Some(stats) = arguments
+        .stats
+        .as_deref()
+        .filter(|path| *path != Path::new("-"))
+    {
+        frame::check_writable(stats)?;
+    }
+    let scene = arguments.tracing.place.load(&arguments.scene)?;
+    let backend = arguments.tracing.open_backend()?;
+    tracing::info!("rendering on {}", backend.describe());
+
+    let progress = Progress::new(common, format!("{}", arguments.scene.display()));
+    let rendering = render(&scene, &backend, arguments.tracing.accuracy(), &progress)?;
+    drop(progress);
+    let broken = rendering.frame.non_finite_pixels();
+    if broken > 0 {
+        tracing::warn!("{broken} pixels have a colour that is infinite or not a number");
+    }
+    write(
+        &rendering,
+        &arguments.output,
+        format,
+        &layers,
+        scene.image.transfer,
+    )?;
+
+    let figures = Figures {
+        scene: arguments.scene.display().to_string(),
+        stats: &rendering.stats,
+    };
+    let json = report::json(&figures);
+    match arguments.stats.as_deref() {
+        Some(path) if path == Path::new("-") => report::print(&json)?,
+        Some(path) => frame::write_atomically(path, json.as_bytes())?,
+        None => {}
+    }
+    if common.json {
+        report::print(&json)?;
+    } else if !common.quiet && arguments.stats.as_deref() != Some(Path::new("-")) {
+        report::print(&summary(&rendering, arguments, &backend.describe()))?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn format_of(path: &Path) -> Result<Format> {
+    let extension = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    if extension.eq_ignore_ascii_case("png") {
+        return Ok(Format::Png);
+    }
+    if extension.eq_ignore_ascii_case("exr") {
+        return Ok(Format::Exr);
+    }
+    Err(Error::Usage(format!(
+        "`{}` ends neither in .png nor in .exr: the ending says what to write",
+        path.display()
+    )))
+}
+
+fn layers_of(arguments: &RenderArguments, format: Format) -> Result<Vec<Layer>> {
+    match (format, arguments.layer.as_slice()) {
+        (Format::Png, []) => Ok(vec![Layer::Color]),
+        (Format::Png, [layer]) => Ok(vec![*layer]),
+        (Format::Png, _) => Err(Error::Usage(
+            "a PNG shows one layer; an EXR holds several".into(),
+        )),
+        (Format::Exr, []) => Ok(Layer::ALL.to_vec()),
+        (Format::Exr, layers) => Ok(layers.to_vec()),
+    }
+}
+
+fn write(
+    rendering: &Rendering,
+    path: &Path,
+    format: Format,
+    layers: &[Layer],
+    transfer: Transfer,
+) -> Result<()> {
+    match format {
+        Format::Png => rendering.frame.write_png(path, layers[0], transfer),
+        Format::Exr => rendering.frame.write_exr(path, layers),
+    }
+}
+
+fn summary(rendering: &Rendering, arguments: &RenderArguments, backend: &str) -> String {
+    let stats = &rendering.stats;
+    table(&[
+        ("scene", arguments.scene.display().to_string()),
+        (
+            "picture",
+            format!(
+                "{} ({} x {})",
+                arguments.output.display(),
+                stats.width,
+                stats.height
+            ),
+        ),
+        ("backend", backend.to_string()),
+        ("primitives", stats.primitives.to_string()),
+        ("effects", stats.effects.join(", ")),
+        (
+            "time",
+            format!(
+                "{:.0} ms traced, {:.2} M rays/s",
+                stats.trace_ms, stats.mrays_per_s
+            ),
+        ),
+    ])
+}

@@ -1,0 +1,107 @@
+//! What the user is told, and where: results on standard output, all else on
+//! standard error.
+
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::process::ExitCode;
+
+use serde::Serialize;
+use tracing_subscriber::filter::LevelFilter;
+
+use super::Outcome;
+use super::flags::Common;
+use rayproof::error::{Error, Result};
+
+/// The version of the JSON objects.
+const SCHEMA: u32 = 1;
+
+/// A JSON object with the schema's version in front.
+#[derive(Serialize)]
+struct Versioned<'a, T> {
+    schema: u32,
+    #[serde(flatten)]
+    body: &'a T,
+}
+
+/// Prints a result to standard output. Who closes the pipe has seen enough.
+///
+/// # Errors
+///
+/// [`Error::Output`] when standard output takes no more.
+pub(super) fn print(text: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Ok(()) => Ok(()),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => std::process::exit(0),
+        Err(source) => Err(Error::Output {
+            path: "standard output".into(),
+            source,
+        }),
+    }
+}
+
+/// A result as one JSON object, on a line of its own.
+pub(super) fn json<T: Serialize>(body: &T) -> String {
+    let object = Versioned {
+        schema: SCHEMA,
+        body,
+    };
+    // Plain structs of numbers and strings always serialise.
+    serde_json::to_string_pretty(&object).unwrap_or_default() + "\n"
+}
+
+/// Two columns, the first as wide as it must be.
+pub(super) fn table(rows: &[(&str, String)]) -> String {
+    let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    rows.iter()
+        .map(|(name, value)| format!("{name:width$}  {value}\n"))
+        .collect()
+}
+
+/// clap's own message and exit code: 0 for `--help`, 2 for wrong usage.
+pub(super) fn usage(error: &clap::Error) -> ExitCode {
+    let _ = error.print();
+    ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+}
+
+/// Prints an error, if there is one, and gives the exit code.
+pub(super) fn exit_code(result: Result<Outcome>) -> u8 {
+    match result {
+        Ok(Outcome::Done) => 0,
+        Ok(Outcome::FellShort) => 1,
+        Err(error) => {
+            let code = error.exit_code();
+            eprintln!("{:?}", miette::Report::new(error));
+            code
+        }
+    }
+}
+
+/// Keeps Mesa from remarks that tell a user nothing: that lavapipe claims no
+/// conformance (the self-check looks closer), and that there is no desktop.
+pub(super) fn quiet_drivers() {
+    #[expect(unsafe_code, reason = "the environment is the only way to tell Mesa")]
+    // SAFETY: called first in main, before any other thread exists.
+    unsafe {
+        std::env::set_var("MESA_VK_IGNORE_CONFORMANCE_WARNING", "1");
+        if std::env::var_os("XDG_RUNTIME_DIR").is_none() {
+            std::env::set_var("XDG_RUNTIME_DIR", std::env::temp_dir());
+        }
+    }
+}
+
+/// Sends the log to standard error.
+pub(super) fn start_logging(common: &Common) {
+    let level = match (common.quiet, common.verbose) {
+        (true, _) => LevelFilter::ERROR,
+        (false, 0) => LevelFilter::WARN,
+        (false, 1) => LevelFilter::INFO,
+        (false, _) => LevelFilter::DEBUG,
+    };
+    tracing_subscriber::fmt()
+        .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
+        .with_max_level(level)
+        .with_target(false)
+        .without_time()
+        .init();
+}
