@@ -20,6 +20,9 @@ struct Probe {
 struct Input {
     a: f32,
     b: f32,
+    dividend: f32,
+    divisor: f32,
+    radicand: f32,
     // A factor that takes a into the denormal range.
     shrink: f32,
     // A NaN.
@@ -65,8 +68,8 @@ fn measure(@builtin(global_invocation_id) at: vec3<u32>) {
         two_prod_error(input.a, input.b),
         input.a * input.b - product,
         fma(input.a, input.b, -product),
-        divide(input.a, input.b),
-        square_root(abs(input.a)),
+        divide(input.dividend, input.divisor),
+        square_root(input.radicand),
         input.a * input.shrink,
         select(0u, 1u, input.nan != input.nan),
     );

@@ -5,9 +5,12 @@
 //! measures its arithmetic, [`render`] sends the work out in small dispatches.
 
 pub mod device;
+#[cfg(test)]
+mod divide_tests;
 pub mod exact;
 pub mod program;
 pub mod render;
+mod samples;
 pub mod selfcheck;
 pub mod source;
 mod stage;
