@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::flatten::{Flat, flatten};
 use crate::frame::Frame;
 use crate::gpu::device::Gpu;
+use crate::gpu::render::Portions;
 use crate::kernel::real::Real;
 use crate::layout::{NO_HIT, Pixel};
 use crate::scene::Scene;
@@ -201,7 +202,7 @@ fn trace_on_cpu<R: Real>(
 }
 
 fn trace_on_gpu(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch, frame: &mut Frame) -> Result<()> {
-    let first_try = gpu::render::render(gpu, flat, watch, &mut |row, pixels| {
+    let first_try = gpu::render::render(gpu, flat, Portions::of(gpu), watch, &mut |row, pixels| {
         keep_rows(frame, row, pixels);
     });
     let Err(Error::DeviceLost(reason)) = first_try else {
@@ -209,7 +210,7 @@ fn trace_on_gpu(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch, frame: &mut Fram
     };
     tracing::warn!("the device was lost ({reason}); opening it anew");
     let gpu = gpu.reopen()?;
-    gpu::render::render(&gpu, flat, watch, &mut |row, pixels| {
+    gpu::render::render(&gpu, flat, Portions::of(&gpu), watch, &mut |row, pixels| {
         keep_rows(frame, row, pixels)
     })
 }

@@ -8,6 +8,7 @@ pub mod device;
 #[cfg(test)]
 mod divide_tests;
 pub mod exact;
+mod pace;
 pub mod program;
 pub mod render;
 mod samples;
@@ -15,3 +16,4 @@ pub mod selfcheck;
 pub mod source;
 mod stage;
 mod upload;
+mod window;

@@ -7,7 +7,7 @@ use bytemuck::Pod;
 use wgpu::BufferUsages;
 
 use super::device::{Gpu, Kernel};
-use super::render::part;
+use super::window::Window;
 use crate::error::Result;
 use crate::flatten::Flat;
 use crate::layout::{Dispatch, Pixel};
@@ -40,7 +40,7 @@ impl Stage {
         gpu: &Gpu,
         flat: &Flat<f32>,
         kernel: &Kernel,
-        windows: &[Range<u32>],
+        windows: &[Window],
     ) -> Result<Self> {
         let pixel_limit = gpu.limits.max_storage_buffer_binding_size / size_of::<Pixel>() as u64;
         let max_pixels = u64::from(PIXELS_PER_TILE).min(pixel_limit) as u32;
@@ -70,8 +70,14 @@ impl Stage {
             ),
         ]);
         let shading = HashMap::from([
-            ("materials", upload_all(gpu, "materials", &flat.materials)?),
-            ("lights", upload_all(gpu, "lights", &flat.lights)?),
+            (
+                "materials",
+                gpu.upload("materials", bytemuck::cast_slice(&flat.materials))?,
+            ),
+            (
+                "lights",
+                gpu.upload("lights", bytemuck::cast_slice(&flat.lights))?,
+            ),
         ]);
         Ok(Self {
             max_rows,
@@ -126,66 +132,34 @@ impl Stage {
 fn upload_window(
     gpu: &Gpu,
     flat: &Flat<f32>,
-    window: &Range<u32>,
+    window: &Window,
 ) -> Result<HashMap<&'static str, wgpu::Buffer>> {
-    let triangles = part(window, flat.first_triangle(), flat.triangles.len());
     let normals = if flat.corner_normals.is_empty() {
         0..0
     } else {
-        triangles.clone()
+        window.triangles(flat)
     };
     Ok(HashMap::from([
-        (
+        upload_part(
+            gpu,
             "material_indices",
-            upload_part(gpu, "materials", &flat.material_indices, window.clone())?,
-        ),
-        (
-            "spheres",
-            upload_part(
-                gpu,
-                "spheres",
-                &flat.spheres,
-                part(window, flat.first_sphere(), flat.spheres.len()),
-            )?,
-        ),
-        (
-            "planes",
-            upload_part(
-                gpu,
-                "planes",
-                &flat.planes,
-                part(window, flat.first_plane(), flat.planes.len()),
-            )?,
-        ),
-        (
-            "disks",
-            upload_part(
-                gpu,
-                "disks",
-                &flat.disks,
-                part(window, flat.first_disk(), flat.disks.len()),
-            )?,
-        ),
-        (
-            "triangles",
-            upload_part(gpu, "triangles", &flat.triangles, triangles)?,
-        ),
-        (
-            "corner_normals",
-            upload_part(gpu, "corner normals", &flat.corner_normals, normals)?,
-        ),
+            &flat.material_indices,
+            window.ids.clone(),
+        )?,
+        upload_part(gpu, "spheres", &flat.spheres, window.spheres(flat))?,
+        upload_part(gpu, "planes", &flat.planes, window.planes(flat))?,
+        upload_part(gpu, "disks", &flat.disks, window.disks(flat))?,
+        upload_part(gpu, "triangles", &flat.triangles, window.triangles(flat))?,
+        upload_part(gpu, "corner_normals", &flat.corner_normals, normals)?,
     ]))
-}
-
-fn upload_all<T: Pod>(gpu: &Gpu, name: &str, records: &[T]) -> Result<wgpu::Buffer> {
-    gpu.upload(name, bytemuck::cast_slice(records))
 }
 
 fn upload_part<T: Pod>(
     gpu: &Gpu,
-    name: &str,
+    name: &'static str,
     records: &[T],
     part: Range<u32>,
-) -> Result<wgpu::Buffer> {
-    upload_all(gpu, name, &records[part.start as usize..part.end as usize])
+) -> Result<(&'static str, wgpu::Buffer)> {
+    let part = &records[part.start as usize..part.end as usize];
+    Ok((name, gpu.upload(name, bytemuck::cast_slice(part))?))
 }

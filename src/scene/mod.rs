@@ -37,6 +37,32 @@ pub struct Scene {
     pub shapes: Vec<Shape>,
 }
 
+impl Default for Scene {
+    /// Nothing, in black, seen from the origin along -z: for scenes that are
+    /// built in code.
+    fn default() -> Self {
+        Self {
+            image: Image {
+                width: 640,
+                height: 480,
+                transfer: Transfer::Srgb,
+            },
+            camera: Camera {
+                eye: DVec3::ZERO,
+                target: DVec3::NEG_Z,
+                up: DVec3::Y,
+                fov_degrees: 60.0,
+                sampling: PixelSampling::Center,
+            },
+            background: Background::plain([0.0; 3]),
+            ambient: [0.0; 3],
+            lights: Vec::new(),
+            materials: Vec::new(),
+            shapes: Vec::new(),
+        }
+    }
+}
+
 impl Scene {
     /// The same scene as a picture of another size.
     pub fn with_size(mut self, width: u32, height: u32) -> Self {

@@ -1,0 +1,270 @@
+//! The GPU's picture equals the CPU's, bit for bit, in every layer.
+
+mod common;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use common::{assert_same_bits, compare, gpu, on_cpu, on_gpu, scene};
+use glam::{DMat3, DVec3};
+use rayproof::flatten::flatten;
+use rayproof::gpu::render::{Portions, render};
+use rayproof::layout::Pixel;
+use rayproof::scene::mesh::{Builtin, build};
+use rayproof::scene::{Geometry, Material, Shape, Transform};
+use rayproof::{Accuracy, Backend, Error, Scene, Unwatched, Watch};
+
+#[test]
+fn seed_spheres() {
+    let scene = scene("seed-spheres");
+    assert_eq!((scene.image.width, scene.image.height), (1000, 1000));
+    assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));
+}
+
+#[test]
+fn shapes() {
+    let scene = scene("shapes");
+    assert_eq!((scene.image.width, scene.image.height), (1000, 1000));
+    assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));
+}
+
+#[test]
+fn seed_models() {
+    let scene = scene("seed-models");
+    assert_eq!((scene.image.width, scene.image.height), (500, 500));
+    assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));
+}
+
+#[test]
+fn knot() {
+    let scene = scene("knot");
+    assert_eq!((scene.image.width, scene.image.height), (96, 96));
+    assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));
+}
+
+/// The control: a millionth of a unit is seen.
+#[test]
+fn one_moved_sphere_is_noticed() {
+    let scene = scene("shapes").with_size(250, 250);
+    let mut moved = scene.clone();
+    let first = moved
+        .shapes
+        .iter_mut()
+        .find_map(|shape| match &mut shape.geometry {
+            Geometry::Sphere { center, .. } => Some(center),
+            _ => None,
+        });
+    first.unwrap().x += 1e-6;
+    let comparison = compare(&on_gpu(&moved), &on_cpu(&scene));
+    assert!(comparison.different_pixels > 0 && !comparison.pass);
+    assert_same_bits(&on_gpu(&moved), &on_cpu(&moved));
+}
+
+/// The control of the method: shaders that the driver may contract differ.
+#[test]
+fn a_driver_that_contracts_is_noticed() {
+    let scene = scene("shapes").with_size(250, 250);
+    let mut loose = gpu();
+    loose.give_up_exactness();
+    let backend = Backend::Gpu(Box::new(loose));
+    let loose = rayproof::render(&scene, &backend, Accuracy::Robust, &Unwatched)
+        .unwrap()
+        .frame;
+    let differs = compare(&loose, &on_cpu(&scene)).different_pixels > 0;
+    // SwiftShader, for one, contracts nothing in any case.
+    let lavapipe = gpu().adapter.name.contains("llvmpipe");
+    assert!(
+        differs || !lavapipe,
+        "lavapipe is known to contract plain WGSL"
+    );
+}
+
+/// Pictures whose width is no multiple of a workgroup, of one pixel, of one row.
+#[test]
+fn odd_sizes() {
+    for (width, height) in [(1, 1), (37, 1), (1, 37), (61, 43), (200, 50)] {
+        let scene = scene("shapes").with_size(width, height);
+        assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));
+    }
+}
+
+#[test]
+fn an_empty_scene_is_background() {
+    let scene = Scene {
+        shapes: Vec::new(),
+        ..scene("shapes").with_size(40, 30)
+    };
+    let frame = on_gpu(&scene);
+    assert_same_bits(&frame, &on_cpu(&scene));
+    assert!(frame.depth.iter().all(|depth| depth.is_infinite()));
+}
+
+fn mesh_scene(kind: Builtin, detail: u32, size: u32) -> Scene {
+    Scene {
+        ambient: [1.0; 3],
+        materials: vec![Material {
+            name: "white".into(),
+            albedo: [0.8; 3],
+        }],
+        shapes: vec![Shape {
+            geometry: Geometry::Mesh(Arc::new(build(kind, detail))),
+            transform: Transform {
+                linear: DMat3::IDENTITY,
+                translate: DVec3::new(0.0, 0.0, -3.0),
+            },
+            material: 0,
+        }],
+        ..Scene::default()
+    }
+    .with_size(size, size)
+}
+
+/// More triangles than lavapipe loops: right all the same, in small dispatches.
+#[test]
+fn two_hundred_thousand_triangles_without_volumes() {
+    let scene = mesh_scene(Builtin::Icosphere, 200_000, 40);
+    let flat = flatten::<f32>(&scene);
+    assert_eq!(flat.triangles.len(), 200_000);
+    let frame = on_gpu(&scene);
+    assert_same_bits(&frame, &on_cpu(&scene));
+    // Seen from inside the tests' order: hits among the last triangles too.
+    assert!(frame.id.iter().any(|&id| id != u32::MAX && id > 150_000));
+}
+
+fn render_in(scene: &Scene, portions: Portions) -> Result<Vec<Pixel>, Error> {
+    let mut pixels = Vec::new();
+    render(
+        &gpu(),
+        &flatten(scene),
+        portions,
+        &Unwatched,
+        &mut |_, rows| {
+            pixels.extend_from_slice(rows);
+        },
+    )?;
+    Ok(pixels)
+}
+
+/// A dispatch that loops more often than the driver allows is an error, not a
+/// wrong picture.
+#[test]
+fn a_spent_loop_budget_is_an_error() {
+    let gpu = gpu();
+    let scene = mesh_scene(Builtin::Icosphere, 300_000, 8);
+    let unbounded = Portions {
+        primitives_per_dispatch: u32::MAX,
+        ..Portions::of(&gpu)
+    };
+    let outcome = render_in(&scene, unbounded);
+    if gpu.arithmetic.loop_budget.is_some() {
+        let error = outcome.err().expect("the driver stops loops").to_string();
+        assert!(error.contains("of 300000 shape tests"), "{error}");
+    } else {
+        outcome.unwrap();
+    }
+    render_in(&scene, Portions::of(&gpu)).unwrap();
+}
+
+/// However the primitives are cut into buffers and dispatches, the picture is
+/// the same.
+#[test]
+fn buffers_and_dispatches_do_not_show() {
+    let gpu = gpu();
+    let scene = scene("shapes").with_size(64, 64);
+    let whole = render_in(&scene, Portions::of(&gpu)).unwrap();
+    for binding_bytes in [48, 96, 200] {
+        let cut = Portions {
+            binding_bytes,
+            ..Portions::of(&gpu)
+        };
+        assert_eq!(
+            render_in(&scene, cut).unwrap(),
+            whole,
+            "{binding_bytes} bytes a binding"
+        );
+    }
+    let scene = mesh_scene(Builtin::Teapot, 2464, 48);
+    let whole = render_in(&scene, Portions::of(&gpu)).unwrap();
+    let cut = Portions {
+        primitives_per_dispatch: 100,
+        binding_bytes: 48 * 77,
+    };
+    assert_eq!(render_in(&scene, cut).unwrap(), whole);
+}
+
+/// Destroys the device at the first sign of progress.
+struct Destroyer<'a> {
+    backend: &'a Backend,
+    calls: AtomicUsize,
+}
+
+impl Watch for Destroyer<'_> {
+    fn progress(&self, _done: f64) {
+        if self.calls.fetch_add(1, Ordering::Relaxed) == 0 {
+            let Backend::Gpu(gpu) = self.backend else {
+                return;
+            };
+            gpu.destroy();
+        }
+    }
+}
+
+#[test]
+fn a_lost_device_is_opened_anew() {
+    let scene = mesh_scene(Builtin::Icosphere, 20_000, 64);
+    let backend = Backend::Gpu(Box::new(gpu()));
+    let watch = Destroyer {
+        backend: &backend,
+        calls: AtomicUsize::new(0),
+    };
+    let frame = rayproof::render(&scene, &backend, Accuracy::Robust, &watch)
+        .unwrap()
+        .frame;
+    assert_same_bits(&frame, &on_cpu(&scene));
+    assert!(watch.calls.load(Ordering::Relaxed) > 1);
+}
+
+#[test]
+fn a_lost_device_gives_no_picture() {
+    let scene = mesh_scene(Builtin::Icosphere, 20_000, 64);
+    let backend = Backend::Gpu(Box::new(gpu()));
+    let watch = Destroyer {
+        backend: &backend,
+        calls: AtomicUsize::new(0),
+    };
+    let Backend::Gpu(device) = &backend else {
+        unreachable!()
+    };
+    let mut rows = 0;
+    let outcome = render(
+        device,
+        &flatten(&scene),
+        Portions::of(device),
+        &watch,
+        &mut |_, _| rows += 1,
+    );
+    assert!(matches!(outcome, Err(Error::DeviceLost(_))), "{outcome:?}");
+    assert_eq!(rows, 0);
+}
+
+/// Stops at the first sign of progress.
+struct Impatient(AtomicUsize);
+
+impl Watch for Impatient {
+    fn progress(&self, _done: f64) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+    fn cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed) > 0
+    }
+}
+
+#[test]
+fn a_render_can_be_cancelled() {
+    let scene = mesh_scene(Builtin::Icosphere, 20_000, 64);
+    for backend in [Backend::Cpu(None), Backend::Gpu(Box::new(gpu()))] {
+        let watch = Impatient(AtomicUsize::new(0));
+        let outcome = rayproof::render(&scene, &backend, Accuracy::Robust, &watch);
+        assert!(matches!(outcome, Err(Error::Interrupted)));
+    }
+}

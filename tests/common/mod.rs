@@ -1,0 +1,53 @@
+//! What several tests need.
+
+#![allow(dead_code, reason = "each test uses a part")]
+
+use rayproof::gpu::device::Gpu;
+use rayproof::{Accuracy, Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
+
+/// The best adapter; without one the test fails, for a check that was not made
+/// is no check.
+pub fn gpu() -> Gpu {
+    Gpu::open(None).unwrap_or_else(|error| {
+        panic!("{error}\nthese tests need Vulkan: apt-get install mesa-vulkan-drivers")
+    })
+}
+
+/// The picture from the GPU.
+pub fn on_gpu(scene: &Scene) -> Frame {
+    let backend = Backend::Gpu(Box::new(gpu()));
+    rayproof::render(scene, &backend, Accuracy::Robust, &Unwatched)
+        .unwrap()
+        .frame
+}
+
+/// The picture from the CPU.
+pub fn on_cpu(scene: &Scene) -> Frame {
+    rayproof::render(scene, &Backend::Cpu(None), Accuracy::Robust, &Unwatched)
+        .unwrap()
+        .frame
+}
+
+/// A scene of `assets/scenes`.
+pub fn scene(name: &str) -> Scene {
+    Scene::load(format!("assets/scenes/{name}.toml")).unwrap()
+}
+
+/// Compares bit for bit.
+pub fn compare(left: &Frame, right: &Frame) -> Comparison {
+    rayproof::compare_frames(left, right, &Tolerance::default()).unwrap()
+}
+
+/// Fails unless two frames agree in every bit of every layer.
+pub fn assert_same_bits(left: &Frame, right: &Frame) {
+    let comparison = compare(left, right);
+    assert_eq!(
+        (
+            comparison.different_pixels,
+            comparison.max_ulp,
+            comparison.id_mismatches
+        ),
+        (0, 0, 0),
+        "{comparison:#?}"
+    );
+}

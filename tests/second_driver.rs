@@ -1,0 +1,103 @@
+//! SwiftShader, a second software driver of another make, gives the same bits.
+//!
+//! Debian's chromium packages ship it. It is named through `VK_DRIVER_FILES`,
+//! which the Vulkan loader reads once, so each comparison is a process.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Where packages put SwiftShader's manifest.
+const PLACES: [&str; 4] = [
+    "/usr/lib/chromium/vk_swiftshader_icd.json",
+    "/usr/lib/chromium-browser/vk_swiftshader_icd.json",
+    "/usr/lib64/chromium-browser/vk_swiftshader_icd.json",
+    "/opt/google/chrome/vk_swiftshader_icd.json",
+];
+
+/// SwiftShader's manifest; where the package is missing, none, said aloud, and
+/// on CI, which installs it, a failure.
+fn swiftshader() -> Option<PathBuf> {
+    let found = PLACES.iter().map(Path::new).find(|path| path.exists());
+    if found.is_none() {
+        assert!(
+            std::env::var_os("CI").is_none(),
+            "CI installs SwiftShader, but it is not there"
+        );
+        eprintln!("NOT TESTED: no SwiftShader here; it comes with `apt-get install chromium`");
+    }
+    found.map(Path::to_path_buf)
+}
+
+fn compare(driver: &Path, arguments: &[&str]) -> (serde_json::Value, Option<i32>) {
+    let output = Command::new(env!("CARGO_BIN_EXE_rayproof"))
+        .env("VK_DRIVER_FILES", driver)
+        .arg("compare")
+        .args(arguments)
+        .args(["--json", "--adapter", "SwiftShader"])
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&output.stdout);
+    let figures = serde_json::from_str(&text)
+        .unwrap_or_else(|_| panic!("{text}{}", String::from_utf8_lossy(&output.stderr)));
+    (figures, output.status.code())
+}
+
+fn assert_same_bits(arguments: &[&str]) {
+    let Some(driver) = swiftshader() else { return };
+    let (figures, code) = compare(&driver, arguments);
+    assert_eq!(figures["different_pixels"], 0, "{figures:#}");
+    assert_eq!(figures["max_ulp"], 0);
+    assert_eq!(figures["id_mismatches"], 0);
+    assert_eq!(figures["tolerance"]["different_pixels"], 0);
+    assert_eq!(code, Some(0));
+}
+
+#[test]
+fn seed_spheres() {
+    assert_same_bits(&["assets/scenes/seed-spheres.toml"]);
+}
+
+#[test]
+fn shapes() {
+    assert_same_bits(&["assets/scenes/shapes.toml"]);
+}
+
+/// In full size 27 s; every pixel is a case of its own, so a smaller picture
+/// tests the same arithmetic.
+#[test]
+fn seed_models() {
+    let size = if thorough() { "500x500" } else { "150x150" };
+    assert_same_bits(&["assets/scenes/seed-models.toml", "--size", size]);
+}
+
+/// In full size 60 s.
+#[test]
+fn knot() {
+    let size = if thorough() { "96x96" } else { "32x32" };
+    assert_same_bits(&["assets/scenes/knot.toml", "--size", size]);
+}
+
+fn thorough() -> bool {
+    std::env::var_os("RAYPROOF_THOROUGH").is_some()
+}
+
+/// The control: another scene on the CPU is noticed.
+#[test]
+fn a_moved_sphere_is_noticed() {
+    let Some(driver) = swiftshader() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let moved = folder.path().join("moved.toml");
+    let scene = std::fs::read_to_string("assets/scenes/shapes.toml").unwrap();
+    let changed = scene.replacen("radius = ", "radius = 1e-6 # instead of ", 1);
+    assert_ne!(changed, scene);
+    std::fs::write(&moved, changed).unwrap();
+    let arguments = [
+        "assets/scenes/shapes.toml",
+        moved.to_str().unwrap(),
+        "--size",
+        "100x100",
+    ];
+    let (figures, code) = compare(&driver, &arguments);
+    assert_ne!(figures["different_pixels"], 0);
+    assert_eq!(code, Some(1));
+}
