@@ -208,10 +208,16 @@ impl Gpu {
         self.device.features().contains(Features::SHADER_F64)
     }
 
-    /// From here on, shaders are compiled by the driver as it likes: for showing
-    /// what that does to the bits.
-    pub fn give_up_exactness(&mut self) {
+    /// From here on, shaders are compiled by the driver as it likes, as on a device
+    /// without passthrough; the arithmetic is measured anew.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::DeviceLost`] when the device is lost.
+    pub fn give_up_exactness(&mut self) -> Result<()> {
         self.exact = false;
+        self.arithmetic = measure_arithmetic(self)?;
+        Ok(())
     }
 
     /// Makes the device unusable, as a crash of the driver would: for tests of
