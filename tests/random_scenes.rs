@@ -4,7 +4,8 @@ mod common;
 
 use common::gpu;
 use glam::{DMat3, DVec3, EulerRot};
-use rayproof::flatten::{Flat, flatten};
+use rayproof::flat::Flat;
+use rayproof::flatten::flatten;
 use rayproof::gpu::device::Gpu;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::kernel::trace::trace_pixel;
@@ -88,7 +89,7 @@ fn random_scene(seed: u64, scale: f64) -> Scene {
         direction: n.vector(1.0),
         color: n.color(),
     };
-    let falloff = if seed % 2 == 0 {
+    let falloff = if seed.is_multiple_of(2) {
         Falloff::None
     } else {
         Falloff::InverseSquare
