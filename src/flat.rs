@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::layout::{
-    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
-    Triangle,
+    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Pair, Plane, Sphere,
+    Surroundings, Triangle,
 };
 
 /// A scene as the tracers read it.
@@ -35,6 +35,10 @@ pub struct Flat<R> {
     pub triangles: Vec<Triangle<R>>,
     /// The corner normals of each triangle; empty where no triangle has any.
     pub corner_normals: Vec<CornerNormals>,
+    /// The tree's inner nodes, the root first; empty where there is no tree.
+    pub pairs: Vec<Pair>,
+    /// The primitives of the tree's leaves.
+    pub leaf_ids: Vec<u32>,
 }
 
 impl<R> Flat<R> {
@@ -67,6 +71,7 @@ impl<R> Flat<R> {
             disks: self.disks.len(),
             triangles: self.triangles.len(),
             corner_normals: self.corner_normals.len(),
+            pairs: self.pairs.len(),
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
@@ -84,7 +89,9 @@ impl<R> Flat<R> {
             + size_of_val(self.planes.as_slice())
             + size_of_val(self.disks.as_slice())
             + size_of_val(self.triangles.as_slice())
-            + size_of_val(self.corner_normals.as_slice());
+            + size_of_val(self.corner_normals.as_slice())
+            + size_of_val(self.pairs.as_slice())
+            + size_of_val(self.leaf_ids.as_slice());
         bytes as u64
     }
 
@@ -108,6 +115,8 @@ pub struct Counts {
     /// Triangles that may have smooth normals: all or none.
     #[serde(skip)]
     pub corner_normals: usize,
+    /// Inner nodes of the tree.
+    pub pairs: usize,
     /// Point lights.
     pub point_lights: usize,
     /// Directional lights.

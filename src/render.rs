@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use crate::bounds::Bounds;
 use crate::effects::effects_of;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -16,7 +17,7 @@ use crate::kernel::real::Real;
 use crate::layout::{NO_HIT, Pixel};
 use crate::scene::Scene;
 use crate::watch::Watch;
-use crate::{cpu, gpu};
+use crate::{bounds, cpu, gpu};
 
 /// What traces the rays.
 #[derive(Debug)]
@@ -70,6 +71,24 @@ pub enum Accuracy {
     Double,
 }
 
+/// How to render.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// Formulas and width of the geometry.
+    pub accuracy: Accuracy,
+    /// Bounding volumes; they change the time, never the picture.
+    pub bounds: Bounds,
+}
+
+impl From<Accuracy> for Settings {
+    fn from(accuracy: Accuracy) -> Self {
+        Self {
+            accuracy,
+            ..Self::default()
+        }
+    }
+}
+
 /// A picture and how it came about.
 #[derive(Debug, Clone)]
 pub struct Rendering {
@@ -97,7 +116,7 @@ pub struct Stats {
     /// Formulas and width.
     pub accuracy: Accuracy,
     /// The bounding volumes in use.
-    pub bounds: &'static str,
+    pub bounds: Bounds,
     /// What the scene calls for.
     pub effects: Vec<&'static str>,
     /// Spheres, planes, disks and triangles.
@@ -106,7 +125,7 @@ pub struct Stats {
     pub seconds: f64,
     /// The part of it in which rays were traced, upload and download included.
     pub trace_ms: f64,
-    /// The part of it in which the scene was flattened.
+    /// The part of it in which the bounding volumes were built.
     pub build_ms: f64,
     /// Rays traced.
     pub rays: u64,
@@ -141,23 +160,24 @@ pub struct Stats {
 pub fn render(
     scene: &Scene,
     backend: &Backend,
-    accuracy: Accuracy,
+    settings: impl Into<Settings>,
     watch: &dyn Watch,
 ) -> Result<Rendering> {
     scene.validate()?;
-    match (backend, accuracy) {
+    let settings = settings.into();
+    match (backend, settings.accuracy) {
         (Backend::Cpu(threads), Accuracy::Robust) => {
-            run::<f32>(scene, backend, accuracy, &mut |flat, keep| {
+            run::<f32>(scene, backend, settings, &mut |flat, keep| {
                 cpu::render(flat, *threads, watch, keep)
             })
         }
         (Backend::Cpu(threads), Accuracy::Double) => {
-            run::<f64>(scene, backend, accuracy, &mut |flat, keep| {
+            run::<f64>(scene, backend, settings, &mut |flat, keep| {
                 cpu::render(flat, *threads, watch, keep)
             })
         }
         (Backend::Gpu(gpu), Accuracy::Robust) => {
-            run::<f32>(scene, backend, accuracy, &mut |flat, keep| {
+            run::<f32>(scene, backend, settings, &mut |flat, keep| {
                 trace_on_gpu(gpu, flat, watch, keep)
             })
         }
@@ -174,12 +194,14 @@ type KeepRows<'a> = dyn FnMut(u32, &[Pixel]) + 'a;
 fn run<R: Real>(
     scene: &Scene,
     backend: &Backend,
-    accuracy: Accuracy,
+    settings: Settings,
     trace: &mut dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()>,
 ) -> Result<Rendering> {
     let started = Instant::now();
-    let flat = flatten::<R>(scene);
-    let build_ms = milliseconds(started);
+    let mut flat = flatten::<R>(scene);
+    let build_started = Instant::now();
+    bounds::bound(&mut flat, settings.bounds);
+    let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
     trace(&flat, &mut |row, pixels| keep_rows(&mut frame, row, pixels))?;
@@ -196,8 +218,8 @@ fn run<R: Real>(
         width: frame.width,
         height: frame.height,
         samples: 1,
-        accuracy,
-        bounds: "none",
+        accuracy: settings.accuracy,
+        bounds: settings.bounds,
         effects: effects_of(&flat.counts()),
         primitives: flat.primitives(),
         seconds: started.elapsed().as_secs_f64(),

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use rayproof::bounds::Bounds;
 use rayproof::compare::Tolerance;
 use rayproof::error::{Error, Result};
 use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
-use rayproof::render::{Accuracy, Backend};
+use rayproof::render::{Accuracy, Backend, Settings};
 use rayproof::scene::Scene;
 use rayproof::scene::mesh::Builtin;
 use rayproof::scene::parse::{self, Loaded};
@@ -95,6 +96,9 @@ pub(super) struct TracingFlags {
     /// Formulas and width of the geometry
     #[arg(long, value_enum, default_value_t = AccuracyChoice::Robust)]
     pub(super) accuracy: AccuracyChoice,
+    /// Bounding volumes; they change the time, never the picture
+    #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
+    pub(super) bounds: BoundsChoice,
 }
 
 #[derive(Debug, Args)]
@@ -130,6 +134,14 @@ pub(super) enum BackendChoice {
     Gpu,
     /// The CPU reference path
     Cpu,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum BoundsChoice {
+    /// Brute force: every ray tests every primitive
+    None,
+    /// A bounding volume hierarchy
+    Tree,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -208,6 +220,18 @@ impl TracingFlags {
                 }
                 Err(error) => Err(error),
             },
+        }
+    }
+
+    /// How to render.
+    pub(super) fn settings(&self) -> Settings {
+        let bounds = match self.bounds {
+            BoundsChoice::None => Bounds::None,
+            BoundsChoice::Tree => Bounds::Tree,
+        };
+        Settings {
+            accuracy: self.accuracy(),
+            bounds,
         }
     }
 

@@ -80,7 +80,9 @@ pub fn render(
     while first_row < flat.size[1] {
         let rows = pace.rows(work.stage.max_rows).min(flat.size[1] - first_row);
         let pixels = work.trace(Tile { first_row, rows }, &mut pace, watch)?;
-        check_tests(&pixels, flat.primitives())?;
+        if flat.pairs.is_empty() {
+            check_tests(&pixels, flat.primitives())?;
+        }
         keep_rows(first_row, &pixels);
         first_row += rows;
     }
@@ -128,12 +130,21 @@ impl Work<'_> {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
-            let end = window.ids.end.min(begin.saturating_add(pace.chunk(pixels)));
+            let end = if self.flat.pairs.is_empty() {
+                window.ids.end.min(begin.saturating_add(pace.chunk(pixels)))
+            } else {
+                window.ids.end
+            };
             let orders = window.orders(self.flat, begin..end, tile);
             let started = Instant::now();
             self.stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", index, &orders)?;
-            pace.learn(pixels, end - begin, started.elapsed());
+            let tested = if self.flat.pairs.is_empty() {
+                end - begin
+            } else {
+                1
+            };
+            pace.learn(pixels, tested, started.elapsed());
             watch.progress(pace.done());
             begin = end;
             if begin >= window.ids.end {
