@@ -12,7 +12,7 @@ fn intersect_sphere(ray: Ray, sphere: Sphere) -> real {
     let b = -dot_product(f, d);
     let l = f + d * divide(b, a);
     let discriminant = sphere.radius * sphere.radius - dot_product(l, l);
-    if !(discriminant >= 0.0) {
+    if discriminant < 0.0 {
         return MISS;
     }
     let c = dot_product(f, f) - sphere.radius * sphere.radius;

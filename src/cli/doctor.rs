@@ -6,7 +6,8 @@ use super::Outcome;
 use super::flags::Common;
 use super::report;
 use rayproof::error::{Error, Result};
-use rayproof::gpu::device::{AdapterDescription, Gpu, adapters};
+use rayproof::gpu::adapter::{AdapterDescription, adapters};
+use rayproof::gpu::device::Gpu;
 use rayproof::gpu::selfcheck::Arithmetic;
 
 /// What is known of one adapter.

@@ -1,13 +1,16 @@
 //! The GPU tracer: from shader files to pixels.
 //!
 //! [`source`] joins the files, [`program`] parses and reflects them, [`exact`]
-//! forbids the driver to contract, [`device`] finds an adapter, [`selfcheck`]
-//! measures its arithmetic, [`render`] sends the work out in small dispatches.
+//! forbids the driver to contract; [`adapter`] finds an adapter, [`device`] opens
+//! it, [`selfcheck`] measures its arithmetic; [`render`] sends the work out in
+//! small dispatches.
 
+pub mod adapter;
 pub mod device;
 #[cfg(test)]
 mod divide_tests;
 pub mod exact;
+mod kernel;
 mod pace;
 pub mod program;
 pub mod render;

@@ -7,7 +7,8 @@
 
 use std::time::Instant;
 
-use super::device::{Gpu, Kernel};
+use super::device::Gpu;
+use super::kernel::Kernel;
 use super::pace::Pace;
 use super::program::Program;
 use super::stage::Stage;

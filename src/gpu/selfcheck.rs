@@ -10,7 +10,8 @@ use bytemuck::{Pod, Zeroable};
 use serde::Serialize;
 use wgpu::BufferUsages;
 
-use super::device::{Gpu, Kernel};
+use super::device::Gpu;
+use super::kernel::Kernel;
 use super::program::Program;
 use super::samples::{any_normal_quotient, hash, number};
 use super::samples::{quotient_near_midpoint, root_near_midpoint};

@@ -6,7 +6,8 @@ use std::ops::Range;
 use bytemuck::Pod;
 use wgpu::BufferUsages;
 
-use super::device::{Gpu, Kernel};
+use super::device::Gpu;
+use super::kernel::Kernel;
 use super::window::Window;
 use crate::error::Result;
 use crate::flatten::Flat;

@@ -18,7 +18,7 @@ pub fn intersect_sphere<R: Real>(ray: Ray<R>, sphere: &Sphere<R>) -> R {
     let b = -dot_product(f, d);
     let l = f + d * divide(b, a);
     let discriminant = sphere.radius * sphere.radius - dot_product(l, l);
-    if !(discriminant >= R::ZERO) {
+    if discriminant < R::ZERO {
         return R::MISS;
     }
     let c = dot_product(f, f) - sphere.radius * sphere.radius;
