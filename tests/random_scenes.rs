@@ -88,7 +88,7 @@ fn random_scene(seed: u64, scale: f64) -> Scene {
         direction: n.vector(1.0),
         color: n.color(),
     };
-    let falloff = if seed % 2 == 0 {
+    let falloff = if seed.is_multiple_of(2) {
         Falloff::None
     } else {
         Falloff::InverseSquare
