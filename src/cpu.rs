@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use crate::error::{Error, Result};
-use crate::flatten::Flat;
+use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::kernel::trace::trace_pixel;
 use crate::layout::Pixel;

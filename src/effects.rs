@@ -4,7 +4,7 @@
 //! absent, its bindings too. Nothing else in the program asks whether an effect
 //! is on.
 
-use crate::flatten::Flat;
+use crate::flat::Counts;
 use crate::gpu::program::Source;
 
 /// A part of the shader that only some scenes need.
@@ -12,7 +12,7 @@ pub struct Effect {
     /// The name for people.
     pub name: &'static str,
     /// Whether the scene calls for it.
-    called_for: fn(&Flat<f32>) -> bool,
+    called_for: fn(&Counts) -> bool,
     /// The shader files with it.
     on: &'static [Source],
     /// The shader files without it: the same functions, doing nothing.
@@ -50,19 +50,19 @@ pub const DIVIDE_CORRECTED: Source = file!("divide_corrected.wgsl");
 pub const EFFECTS: &[Effect] = &[
     Effect {
         name: "spheres",
-        called_for: |flat| !flat.spheres.is_empty(),
+        called_for: |counts| counts.spheres > 0,
         on: &[file!("sphere.wgsl"), file!("spheres_on.wgsl")],
         off: &[file!("spheres_off.wgsl")],
     },
     Effect {
         name: "planes",
-        called_for: |flat| !flat.planes.is_empty(),
+        called_for: |counts| counts.planes > 0,
         on: &[file!("plane.wgsl"), file!("planes_on.wgsl")],
         off: &[file!("planes_off.wgsl")],
     },
     Effect {
         name: "disks",
-        called_for: |flat| !flat.disks.is_empty(),
+        called_for: |counts| counts.disks > 0,
         on: &[
             file!("plane.wgsl"),
             file!("disk.wgsl"),
@@ -72,43 +72,43 @@ pub const EFFECTS: &[Effect] = &[
     },
     Effect {
         name: "triangles",
-        called_for: |flat| !flat.triangles.is_empty(),
+        called_for: |counts| counts.triangles > 0,
         on: &[file!("triangle.wgsl"), file!("triangles_on.wgsl")],
         off: &[file!("triangles_off.wgsl")],
     },
     Effect {
         name: "smooth normals",
-        called_for: |flat| !flat.corner_normals.is_empty(),
+        called_for: |counts| counts.corner_normals > 0,
         on: &[file!("smooth_normals_on.wgsl")],
         off: &[file!("smooth_normals_off.wgsl")],
     },
     Effect {
         name: "point lights",
-        called_for: |flat| flat.surroundings.point_lights > 0,
+        called_for: |counts| counts.point_lights > 0,
         on: &[file!("point_lights_on.wgsl")],
         off: &[file!("point_lights_off.wgsl")],
     },
     Effect {
         name: "directional lights",
-        called_for: |flat| flat.lights.len() > flat.surroundings.point_lights as usize,
+        called_for: |counts| counts.directional_lights > 0,
         on: &[file!("directional_lights_on.wgsl")],
         off: &[file!("directional_lights_off.wgsl")],
     },
 ];
 
 /// The names of the effects that the scene calls for.
-pub fn effects_of(flat: &Flat<f32>) -> Vec<&'static str> {
+pub fn effects_of(counts: &Counts) -> Vec<&'static str> {
     EFFECTS
         .iter()
-        .filter(|effect| (effect.called_for)(flat))
+        .filter(|effect| (effect.called_for)(counts))
         .map(|effect| effect.name)
         .collect()
 }
 
 /// The shader files for a scene, each once, for a device that divides as
 /// `divide` does.
-pub fn shader_files(flat: &Flat<f32>, divide: Source) -> Vec<Source> {
-    select_files(|effect| (effect.called_for)(flat), divide)
+pub fn shader_files(counts: &Counts, divide: Source) -> Vec<Source> {
+    select_files(|effect| (effect.called_for)(counts), divide)
 }
 
 /// The shader files with exactly the effects that `chosen` accepts.

@@ -6,6 +6,7 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::{
     CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
@@ -14,78 +15,6 @@ use crate::layout::{
 use crate::scene::{
     Camera, Falloff, Geometry, Light, Mesh, PixelSampling, Scene, Shape, Transform,
 };
-
-/// A scene as the tracers read it.
-///
-/// Primitive ids count through the spheres, the planes, the disks and the
-/// triangles, in this order.
-#[derive(Debug, Clone)]
-pub struct Flat<R> {
-    /// Width and height in pixels.
-    pub size: [u32; 2],
-    /// The camera; the eye is the origin of everything below.
-    pub camera: CameraRecord<R>,
-    /// Background and ambient light.
-    pub surroundings: Surroundings,
-    /// All lights: the point lights, then the directional ones.
-    pub lights: Vec<LightRecord>,
-    /// All materials.
-    pub materials: Vec<MaterialRecord>,
-    /// The material of each primitive.
-    pub material_indices: Vec<u32>,
-    /// All spheres.
-    pub spheres: Vec<Sphere<R>>,
-    /// All planes.
-    pub planes: Vec<Plane<R>>,
-    /// All disks.
-    pub disks: Vec<Disk<R>>,
-    /// All triangles, those of meshes included.
-    pub triangles: Vec<Triangle<R>>,
-    /// The corner normals of each triangle; empty where no triangle has any.
-    pub corner_normals: Vec<CornerNormals>,
-}
-
-impl<R> Flat<R> {
-    /// The id of the first sphere.
-    pub fn first_sphere(&self) -> u32 {
-        0
-    }
-
-    /// The id of the first plane.
-    pub fn first_plane(&self) -> u32 {
-        self.spheres.len() as u32
-    }
-
-    /// The id of the first disk.
-    pub fn first_disk(&self) -> u32 {
-        self.first_plane() + self.planes.len() as u32
-    }
-
-    /// The id of the first triangle.
-    pub fn first_triangle(&self) -> u32 {
-        self.first_disk() + self.disks.len() as u32
-    }
-
-    /// Bytes of all the arrays.
-    pub fn bytes(&self) -> u64 {
-        let bytes = size_of_val(&self.camera)
-            + size_of_val(&self.surroundings)
-            + size_of_val(self.lights.as_slice())
-            + size_of_val(self.materials.as_slice())
-            + size_of_val(self.material_indices.as_slice())
-            + size_of_val(self.spheres.as_slice())
-            + size_of_val(self.planes.as_slice())
-            + size_of_val(self.disks.as_slice())
-            + size_of_val(self.triangles.as_slice())
-            + size_of_val(self.corner_normals.as_slice());
-        bytes as u64
-    }
-
-    /// How many primitives there are.
-    pub fn primitives(&self) -> u32 {
-        self.material_indices.len() as u32
-    }
-}
 
 /// Flattens a valid scene (see [`Scene::validate`]).
 pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {

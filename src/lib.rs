@@ -24,6 +24,7 @@ pub mod compare;
 pub mod cpu;
 pub mod effects;
 pub mod error;
+pub mod flat;
 pub mod flatten;
 pub mod frame;
 pub mod gpu;

@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::effects::effects_of;
 use crate::error::{Error, Result};
-use crate::flatten::{Flat, flatten};
+use crate::flat::Flat;
+use crate::flatten::flatten;
 use crate::frame::Frame;
 use crate::gpu::device::Gpu;
 use crate::gpu::render::Portions;
@@ -144,25 +145,44 @@ pub fn render(
     watch: &dyn Watch,
 ) -> Result<Rendering> {
     scene.validate()?;
+    match (backend, accuracy) {
+        (Backend::Cpu(threads), Accuracy::Robust) => {
+            run::<f32>(scene, backend, accuracy, &mut |flat, keep| {
+                cpu::render(flat, *threads, watch, keep)
+            })
+        }
+        (Backend::Cpu(threads), Accuracy::Double) => {
+            run::<f64>(scene, backend, accuracy, &mut |flat, keep| {
+                cpu::render(flat, *threads, watch, keep)
+            })
+        }
+        (Backend::Gpu(gpu), Accuracy::Robust) => {
+            run::<f32>(scene, backend, accuracy, &mut |flat, keep| {
+                trace_on_gpu(gpu, flat, watch, keep)
+            })
+        }
+        (Backend::Gpu(_), Accuracy::Double) => Err(Error::Usage(
+            "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
+        )),
+    }
+}
+
+/// Takes rows of pixels, with the number of their first row.
+type KeepRows<'a> = dyn FnMut(u32, &[Pixel]) + 'a;
+
+/// Flattens, traces and collects, in one width.
+fn run<R: Real>(
+    scene: &Scene,
+    backend: &Backend,
+    accuracy: Accuracy,
+    trace: &mut dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()>,
+) -> Result<Rendering> {
     let started = Instant::now();
-    let flat = flatten::<f32>(scene);
+    let flat = flatten::<R>(scene);
     let build_ms = milliseconds(started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
-    match (backend, accuracy) {
-        (Backend::Cpu(threads), Accuracy::Robust) => {
-            trace_on_cpu(&flat, *threads, watch, &mut frame)?;
-        }
-        (Backend::Cpu(threads), Accuracy::Double) => {
-            trace_on_cpu(&flatten::<f64>(scene), *threads, watch, &mut frame)?;
-        }
-        (Backend::Gpu(gpu), Accuracy::Robust) => trace_on_gpu(gpu, &flat, watch, &mut frame)?,
-        (Backend::Gpu(_), Accuracy::Double) => {
-            return Err(Error::Usage(
-                "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
-            ));
-        }
-    }
+    trace(&flat, &mut |row, pixels| keep_rows(&mut frame, row, pixels))?;
     let trace_ms = milliseconds(trace_started);
     let rays = u64::from(frame.width) * u64::from(frame.height);
     let adapter = match backend {
@@ -178,7 +198,7 @@ pub fn render(
         samples: 1,
         accuracy,
         bounds: "none",
-        effects: effects_of(&flat),
+        effects: effects_of(&flat.counts()),
         primitives: flat.primitives(),
         seconds: started.elapsed().as_secs_f64(),
         trace_ms,
@@ -190,29 +210,20 @@ pub fn render(
     Ok(Rendering { frame, stats })
 }
 
-fn trace_on_cpu<R: Real>(
-    flat: &Flat<R>,
-    threads: Option<NonZeroUsize>,
+/// Traces on the GPU; a device that is lost on the way is opened anew, once.
+fn trace_on_gpu(
+    gpu: &Gpu,
+    flat: &Flat<f32>,
     watch: &dyn Watch,
-    frame: &mut Frame,
+    keep: &mut KeepRows<'_>,
 ) -> Result<()> {
-    cpu::render(flat, threads, watch, &mut |row, pixels| {
-        keep_rows(frame, row, pixels)
-    })
-}
-
-fn trace_on_gpu(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch, frame: &mut Frame) -> Result<()> {
-    let first_try = gpu::render::render(gpu, flat, Portions::of(gpu), watch, &mut |row, pixels| {
-        keep_rows(frame, row, pixels);
-    });
-    let Err(Error::DeviceLost(reason)) = first_try else {
-        return first_try;
+    let outcome = gpu::render::render(gpu, flat, Portions::of(gpu), watch, keep);
+    let Err(Error::DeviceLost(reason)) = outcome else {
+        return outcome;
     };
     tracing::warn!("the device was lost ({reason}); opening it anew");
     let gpu = gpu.reopen()?;
-    gpu::render::render(&gpu, flat, Portions::of(&gpu), watch, &mut |row, pixels| {
-        keep_rows(frame, row, pixels)
-    })
+    gpu::render::render(&gpu, flat, Portions::of(&gpu), watch, keep)
 }
 
 /// Sorts pixels into the frame's layers.

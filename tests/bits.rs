@@ -155,7 +155,7 @@ fn a_spent_loop_budget_is_an_error() {
     };
     let outcome = render_in(&scene, unbounded);
     if gpu.arithmetic.loop_budget.is_some() {
-        let error = outcome.err().expect("the driver stops loops").to_string();
+        let error = outcome.expect_err("the driver stops loops").to_string();
         assert!(error.contains("of 297680 shape tests"), "{error}");
     } else {
         outcome.unwrap();

@@ -4,7 +4,8 @@ mod common;
 
 use common::gpu;
 use glam::{DMat3, DVec3, EulerRot};
-use rayproof::flatten::{Flat, flatten};
+use rayproof::flat::Flat;
+use rayproof::flatten::flatten;
 use rayproof::gpu::device::Gpu;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::kernel::trace::trace_pixel;

@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
         triangles: flat.triangles.len(),
         lights: flat.lights.len(),
         materials: flat.materials.len(),
-        effects: effects_of(&flat),
+        effects: effects_of(&flat.counts()),
         device_bytes: flat.bytes(),
         warnings: loaded.warnings,
     };

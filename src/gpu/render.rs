@@ -15,7 +15,7 @@ use super::stage::Stage;
 use super::window::{Tile, Window};
 use crate::effects::shader_files;
 use crate::error::{Error, Result};
-use crate::flatten::Flat;
+use crate::flat::Flat;
 use crate::layout::Pixel;
 use crate::watch::Watch;
 
@@ -60,7 +60,7 @@ pub fn render(
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
-    let program = Program::build(&shader_files(flat, gpu.arithmetic.divide_file()))?;
+    let program = Program::build(&shader_files(&flat.counts(), gpu.arithmetic.divide_file()))?;
     let kernel = gpu.compile(&program)?;
     let windows = Window::split(flat, portions.binding_bytes);
     let stage = Stage::set_up(gpu, flat, &kernel, &windows)?;

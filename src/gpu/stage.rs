@@ -10,7 +10,7 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::window::Window;
 use crate::error::Result;
-use crate::flatten::Flat;
+use crate::flat::Flat;
 use crate::layout::{Dispatch, Pixel};
 
 /// Pixels of a tile at most: 48 MiB of them.

@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use crate::flatten::Flat;
+use crate::flat::Flat;
 use crate::layout::{CornerNormals, Disk, Dispatch, Plane, Run, Sphere, Triangle};
 
 /// A band of rows.

@@ -5,7 +5,7 @@ use super::disk::intersect_disk;
 use super::hit::{Hit, Surface, keep_nearer};
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
-use crate::flatten::Flat;
+use crate::flat::Flat;
 
 /// Tests every disk.
 pub fn closest_disk<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {

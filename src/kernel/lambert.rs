@@ -5,7 +5,7 @@ use super::hit::Surface;
 use super::point_lights::add_point_lights;
 use super::real::Real;
 use super::vector::Vec3;
-use crate::flatten::Flat;
+use crate::flat::Flat;
 
 /// The light that the surface scatters towards the viewer: its albedo times
 /// the ambient light and the light of every lamp.

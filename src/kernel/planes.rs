@@ -5,7 +5,7 @@ use super::hit::{Hit, Surface, keep_nearer};
 use super::plane::intersect_plane;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
-use crate::flatten::Flat;
+use crate::flat::Flat;
 
 /// Tests every plane.
 pub fn closest_plane<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {

@@ -5,7 +5,7 @@ use super::hit::{Hit, Surface, keep_nearer};
 use super::real::Real;
 use super::sphere::{intersect_sphere, sphere_normal, sphere_point};
 use super::vector::face_viewer;
-use crate::flatten::Flat;
+use crate::flat::Flat;
 
 /// Tests every sphere.
 pub fn closest_sphere<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {

@@ -10,7 +10,7 @@ use super::real::Real;
 use super::spheres::{closest_sphere, sphere_surface};
 use super::triangles::{closest_triangle, triangle_surface};
 use super::vector::{Vec3, vector_length};
-use crate::flatten::Flat;
+use crate::flat::Flat;
 use crate::layout::{NO_HIT, Pixel};
 
 /// The nearest of all primitives, in order of their ids.

@@ -7,7 +7,7 @@ use super::smooth_normals::shading_normal;
 use super::triangle::{
     intersect_triangle, shear_of, triangle_normal, triangle_point, triangle_weights,
 };
-use crate::flatten::Flat;
+use crate::flat::Flat;
 
 /// Tests every triangle.
 pub fn closest_triangle<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
