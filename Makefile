@@ -8,6 +8,9 @@ SCENES := seed-spheres shapes seed-models knot
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 RAYPROOF := $(TARGET)/release/rayproof
 
+# Without a desktop this is not set, and Mesa remarks on it again and again.
+export XDG_RUNTIME_DIR ?= /tmp
+
 .PHONY: help setup demo test test-thorough
 
 help: ## Lists the targets
