@@ -107,7 +107,9 @@ fn triangle_point(triangle: Triangle, weights: vec3<real>) -> vec3<real> {
     return (triangle.a * weights.x + triangle.b * weights.y) + triangle.c * weights.z;
 }
 
-// The unit normal, towards who sees the corners counter-clockwise.
+// The unit normal, towards who sees the corners counter-clockwise. The cross
+// product is a square of lengths, and its length takes the square of that.
 fn triangle_normal(triangle: Triangle) -> vec3<real> {
-    return unit_vector(cross_product(triangle.b - triangle.a, triangle.c - triangle.a));
+    let across = cross_product(triangle.b - triangle.a, triangle.c - triangle.a);
+    return unit_vector(tame_vector(across));
 }

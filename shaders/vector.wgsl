@@ -29,6 +29,18 @@ fn unit_vector(v: vec3<real>) -> vec3<real> {
     return vec3<real>(divide(v.x, length), divide(v.y, length), divide(v.z, length));
 }
 
+// v over its largest component, so that its square neither overflows nor
+// vanishes; the zero vector stays zero.
+fn tame_vector(v: vec3<real>) -> vec3<real> {
+    let size = abs(v);
+    let xy = select(size.y, size.x, size.x > size.y);
+    let largest = select(size.z, xy, xy > size.z);
+    if largest == 0.0 {
+        return v;
+    }
+    return vec3<real>(divide(v.x, largest), divide(v.y, largest), divide(v.z, largest));
+}
+
 // n, or -n where n points along `direction`, so that it faces who looks.
 fn face_viewer(n: vec3<real>, direction: vec3<real>) -> vec3<real> {
     if dot_product(n, direction) > 0.0 {

@@ -7,8 +7,8 @@ use super::flags::{Common, CompareArguments};
 use super::progress::Progress;
 use super::report::{self, table};
 use rayproof::compare::{
-    Comparison, DifferenceMap, Tolerance, compare_frames, compare_pictures, difference_of_frames,
-    difference_of_pictures,
+    Comparison, DifferenceMap, LayerDifference, Tolerance, compare_frames, compare_pictures,
+    difference_of_frames, difference_of_pictures,
 };
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, read_image};
@@ -132,13 +132,9 @@ fn summary(comparison: &Comparison) -> String {
         ("psnr", or_none(comparison.psnr_db, " dB")),
         ("flip", or_none(comparison.flip, "")),
     ]);
-    for layer in &comparison.layers {
-        text += &format!(
-            "  {:9} {} different, largest {} ulp\n",
-            layer.layer,
-            layer.different_pixels,
-            layer.max_ulp.map_or("-".to_string(), |ulp| ulp.to_string())
-        );
+    let rows: Vec<(&str, String)> = comparison.layers.iter().map(layer_row).collect();
+    for row in table(&rows).lines() {
+        text += &format!("  {row}\n");
     }
     text += match (comparison.pass, comparison.different_pixels) {
         (true, 0) => "equal, bit for bit\n",
@@ -146,4 +142,16 @@ fn summary(comparison: &Comparison) -> String {
         (false, _) => "DIFFERENT\n",
     };
     text
+}
+
+fn layer_row(layer: &LayerDifference) -> (&str, String) {
+    let largest = match layer.max_ulp {
+        Some(ulp) => format!(", largest {ulp} ulp"),
+        // Ids have no distance.
+        None => String::new(),
+    };
+    (
+        &layer.layer,
+        format!("{} different{largest}", layer.different_pixels),
+    )
 }

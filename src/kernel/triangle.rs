@@ -4,7 +4,7 @@
 use super::camera::Ray;
 use super::divide::divide;
 use super::real::Real;
-use super::vector::{Vec3, cross_product, dot_product, unit_vector, vec3};
+use super::vector::{Vec3, cross_product, dot_product, tame_vector, unit_vector, vec3};
 use crate::layout::Triangle;
 
 /// What the test needs of a ray, computed once for all triangles: the space in
@@ -141,11 +141,10 @@ pub fn triangle_point<R: Real>(triangle: &Triangle<R>, weights: Vec3<R>) -> Vec3
         + Vec3::from(triangle.c) * weights.z
 }
 
-/// The unit normal, towards who sees the corners counter-clockwise.
+/// The unit normal, towards who sees the corners counter-clockwise. The cross
+/// product is a square of lengths, and its length takes the square of that.
 pub fn triangle_normal<R: Real>(triangle: &Triangle<R>) -> Vec3<R> {
     let a = Vec3::from(triangle.a);
-    unit_vector(cross_product(
-        Vec3::from(triangle.b) - a,
-        Vec3::from(triangle.c) - a,
-    ))
+    let across = cross_product(Vec3::from(triangle.b) - a, Vec3::from(triangle.c) - a);
+    unit_vector(tame_vector(across))
 }

@@ -105,6 +105,22 @@ pub fn unit_vector<R: Real>(v: Vec3<R>) -> Vec3<R> {
     )
 }
 
+/// v over its largest component, so that its square neither overflows nor
+/// vanishes; the zero vector stays zero.
+pub fn tame_vector<R: Real>(v: Vec3<R>) -> Vec3<R> {
+    let size = vec3(v.x.abs(), v.y.abs(), v.z.abs());
+    let xy = if size.x > size.y { size.x } else { size.y };
+    let largest = if xy > size.z { xy } else { size.z };
+    if largest == R::ZERO {
+        return v;
+    }
+    vec3(
+        divide(v.x, largest),
+        divide(v.y, largest),
+        divide(v.z, largest),
+    )
+}
+
 /// n, or -n where n points along `direction`, so that it faces who looks.
 pub fn face_viewer<R: Real>(n: Vec3<R>, direction: Vec3<R>) -> Vec3<R> {
     if dot_product(n, direction) > R::ZERO {
