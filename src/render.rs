@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use crate::bounds::Bounds;
+use crate::bounds::{self, Bounds};
 use crate::effects::effects_of;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -14,10 +14,11 @@ use crate::frame::Frame;
 use crate::gpu::device::Gpu;
 use crate::gpu::render::Portions;
 use crate::kernel::real::Real;
+use crate::kernel::tree::GIVEN_UP;
 use crate::layout::{NO_HIT, Pixel};
 use crate::scene::Scene;
 use crate::watch::Watch;
-use crate::{bounds, cpu, gpu};
+use crate::{cpu, gpu};
 
 /// What traces the rays.
 #[derive(Debug)]
@@ -190,12 +191,15 @@ pub fn render(
 /// Takes rows of pixels, with the number of their first row.
 type KeepRows<'a> = dyn FnMut(u32, &[Pixel]) + 'a;
 
+/// Traces a flattened scene.
+type Trace<'a, R> = dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()> + 'a;
+
 /// Flattens, traces and collects, in one width.
 fn run<R: Real>(
     scene: &Scene,
     backend: &Backend,
     settings: Settings,
-    trace: &mut dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()>,
+    trace: &mut Trace<'_, R>,
 ) -> Result<Rendering> {
     let started = Instant::now();
     let mut flat = flatten::<R>(scene);
@@ -204,7 +208,11 @@ fn run<R: Real>(
     let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
-    trace(&flat, &mut |row, pixels| keep_rows(&mut frame, row, pixels))?;
+    if !trace_and_keep(&flat, trace, &mut frame)? {
+        tracing::warn!("some rays meet too many volumes: tracing without volumes");
+        bounds::bound(&mut flat, Bounds::None);
+        trace_and_keep(&flat, trace, &mut frame)?;
+    }
     let trace_ms = milliseconds(trace_started);
     let rays = u64::from(frame.width) * u64::from(frame.height);
     let adapter = match backend {
@@ -230,6 +238,20 @@ fn run<R: Real>(
         device_bytes: flat.bytes(),
     };
     Ok(Rendering { frame, stats })
+}
+
+/// Traces all rays; `false` if some were given up on their way through a tree.
+fn trace_and_keep<R: Real>(
+    flat: &Flat<R>,
+    trace: &mut Trace<'_, R>,
+    frame: &mut Frame,
+) -> Result<bool> {
+    let mut complete = true;
+    trace(flat, &mut |row, pixels| {
+        complete &= pixels.iter().all(|pixel| pixel.tests != GIVEN_UP);
+        keep_rows(frame, row, pixels);
+    })?;
+    Ok(complete)
 }
 
 /// Traces on the GPU; a device that is lost on the way is opened anew, once.

@@ -12,7 +12,7 @@ use rayproof::compare::{
 };
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, read_image};
-use rayproof::render::{Accuracy, Backend, render};
+use rayproof::render::{Backend, Settings, render};
 
 /// What a device is held to that may contract or reorder sums, where the
 /// scene's picture is not expected to be bit-identical. Contraction moves each
@@ -82,16 +82,20 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
             otherwise.different_pixels
         );
     }
+    let settings = Settings {
+        bounds: place.bounds(),
+        ..Settings::default()
+    };
     let tolerance = arguments.tolerance(otherwise);
     let backend = Backend::Gpu(Box::new(gpu));
     let name = format!("{} on {}", arguments.left.display(), backend.describe());
     let progress = Progress::new(common, name.clone());
-    let on_gpu = render(&left_scene, &backend, Accuracy::Robust, &progress)?;
+    let on_gpu = render(&left_scene, &backend, settings, &progress)?;
     drop(progress);
     let cpu = Backend::Cpu(place.threads);
     let cpu_name = format!("{} on {}", right.display(), cpu.describe());
     let progress = Progress::new(common, cpu_name.clone());
-    let on_cpu = render(&right_scene, &cpu, Accuracy::Robust, &progress)?;
+    let on_cpu = render(&right_scene, &cpu, settings, &progress)?;
     drop(progress);
     let mut comparison = compare_frames(&on_gpu.frame, &on_cpu.frame, &tolerance)?;
     comparison.left = name;

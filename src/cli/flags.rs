@@ -96,9 +96,6 @@ pub(super) struct TracingFlags {
     /// Formulas and width of the geometry
     #[arg(long, value_enum, default_value_t = AccuracyChoice::Robust)]
     pub(super) accuracy: AccuracyChoice,
-    /// Bounding volumes; they change the time, never the picture
-    #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
-    pub(super) bounds: BoundsChoice,
 }
 
 #[derive(Debug, Args)]
@@ -112,6 +109,9 @@ pub(super) struct PlaceFlags {
     /// Threads of the CPU path; one for each core if not given
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<NonZeroUsize>,
+    /// Bounding volumes; they change the time, never the picture
+    #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
+    pub(super) bounds: BoundsChoice,
     #[command(flatten)]
     pub(super) policy: PolicyFlags,
 }
@@ -225,13 +225,9 @@ impl TracingFlags {
 
     /// How to render.
     pub(super) fn settings(&self) -> Settings {
-        let bounds = match self.bounds {
-            BoundsChoice::None => Bounds::None,
-            BoundsChoice::Tree => Bounds::Tree,
-        };
         Settings {
             accuracy: self.accuracy(),
-            bounds,
+            bounds: self.place.bounds(),
         }
     }
 
@@ -245,6 +241,14 @@ impl TracingFlags {
 }
 
 impl PlaceFlags {
+    /// The volumes asked for.
+    pub(super) fn bounds(&self) -> Bounds {
+        match self.bounds {
+            BoundsChoice::None => Bounds::None,
+            BoundsChoice::Tree => Bounds::Tree,
+        }
+    }
+
     /// Opens the GPU adapter asked for.
     ///
     /// # Errors
