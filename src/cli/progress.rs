@@ -1,6 +1,6 @@
 //! Progress on standard error, and Ctrl-C.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::{Duration, Instant};
@@ -67,7 +67,8 @@ impl Progress {
                     "seconds": self.started.elapsed().as_secs_f64(),
                     "work": self.label,
                 });
-                eprintln!("{object}");
+                // Who closed standard error does without.
+                let _ = writeln!(std::io::stderr(), "{object}");
             }
             ProgressMode::Auto if self.started.elapsed() < PATIENCE => {}
             ProgressMode::Auto | ProgressMode::Always => {
