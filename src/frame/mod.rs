@@ -10,7 +10,7 @@ mod png;
 pub mod transfer;
 
 pub use layer::Layer;
-pub use output::{check_writable, write_atomically};
+pub use output::{check_writable, while_nothing_is_written, write_atomically};
 pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
 
