@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use rayproof::compare::Tolerance;
+use rayproof::cpu::MAX_THREADS;
 use rayproof::error::{Error, Result};
 use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
@@ -106,7 +107,7 @@ pub(super) struct PlaceFlags {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub(super) size: Option<(u32, u32)>,
     /// Threads of the CPU path; one for each core if not given
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse_threads)]
     pub(super) threads: Option<NonZeroUsize>,
     #[command(flatten)]
     pub(super) policy: PolicyFlags,
@@ -289,6 +290,13 @@ fn parse_size(text: &str) -> Result<(u32, u32), String> {
         return Err(format!("each side of `{text}` must be 1 to {most} pixels"));
     }
     Ok(size)
+}
+
+fn parse_threads(text: &str) -> Result<NonZeroUsize, String> {
+    match text.parse() {
+        Ok(threads) if NonZeroUsize::get(threads) <= MAX_THREADS => Ok(threads),
+        _ => Err(format!("`{text}` is not a number from 1 to {MAX_THREADS}")),
+    }
 }
 
 fn parse_layer(text: &str) -> Result<Layer, String> {
