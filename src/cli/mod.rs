@@ -6,6 +6,7 @@
 mod check;
 mod compare;
 mod doctor;
+mod faults;
 mod flags;
 mod mesh;
 mod progress;
