@@ -198,6 +198,9 @@ impl TracingFlags {
                 "`--adapter` names a GPU, `--backend cpu` needs none".into(),
             )),
             BackendChoice::Cpu => Ok(Backend::Cpu(threads)),
+            BackendChoice::Gpu if self.accuracy() == Accuracy::Double => Err(Error::Usage(
+                "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
+            )),
             BackendChoice::Gpu => Ok(Backend::Gpu(Box::new(self.place.open_gpu()?))),
             // What is only computed on the CPU is computed there.
             BackendChoice::Auto if self.accuracy() == Accuracy::Double => Ok(Backend::Cpu(threads)),

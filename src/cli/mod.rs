@@ -8,6 +8,7 @@ mod compare;
 mod doctor;
 mod faults;
 mod flags;
+mod memory;
 mod mesh;
 mod progress;
 mod render;

@@ -10,7 +10,7 @@ use super::flags::{Common, RenderArguments};
 use super::progress::Progress;
 use super::report::{self, table};
 use rayproof::error::{Error, Result};
-use rayproof::frame::{self, Layer};
+use rayproof::frame::{self, Frame, Layer};
 use rayproof::render::{Rendering, Stats, render};
 use rayproof::scene::Transfer;
 
@@ -19,6 +19,16 @@ use rayproof::scene::Transfer;
 enum Format {
     Png,
     Exr,
+}
+
+impl Format {
+    /// Bytes a pixel that writing takes.
+    fn packing(self) -> u64 {
+        match self {
+            Self::Png => frame::PNG_PACKING,
+            Self::Exr => frame::EXR_PACKING,
+        }
+    }
 }
 
 /// The figures of a run, with the scene's name.
@@ -43,6 +53,7 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
         frame::check_writable(path)?;
     }
     let scene = arguments.tracing.place.load(&arguments.scene)?;
+    Frame::check_memory(scene.image.width, scene.image.height, format.packing())?;
     let backend = arguments.tracing.open_backend()?;
     tracing::info!("rendering on {}", backend.describe());
 
