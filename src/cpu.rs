@@ -16,6 +16,10 @@ use crate::watch::Watch;
 /// for the last one, few enough to be held until they are handed on.
 const ROWS_PER_THREAD: u32 = 16;
 
+/// Threads at most: more than any machine has cores. Starting some ten thousand
+/// takes minutes in which nothing can stop it.
+pub const MAX_THREADS: usize = 1024;
+
 /// Renders a flattened scene on `threads` threads, or on one for each core. The
 /// rows of pixels are handed to `keep_rows`, from top to bottom, together with
 /// the number of their first row.
@@ -23,13 +27,18 @@ const ROWS_PER_THREAD: u32 = 16;
 /// # Errors
 ///
 /// [`Error::Interrupted`] when `watch` says so, [`Error::Limit`] when no threads
-/// can be had.
+/// can be had or more than [`MAX_THREADS`] are asked for.
 pub fn render<R: Real>(
     flat: &Flat<R>,
     threads: Option<NonZeroUsize>,
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
+    if let Some(threads) = threads.filter(|threads| threads.get() > MAX_THREADS) {
+        return Err(Error::Limit(format!(
+            "{threads} threads are asked for, {MAX_THREADS} are the most"
+        )));
+    }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.map_or(0, NonZeroUsize::get))
         .build()

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Outcome;
+use super::faults::Faulty;
 use super::flags::{CheckArguments, Common};
 use super::report::{self, table};
 use rayproof::effects::effects_of;
@@ -24,15 +25,26 @@ struct Contents {
     effects: Vec<&'static str>,
     device_bytes: u64,
     warnings: Vec<String>,
+    /// None, so that scripts may look here whatever the outcome.
+    faults: [(); 0],
 }
 
 /// Loads a scene with everything it refers to, and says what is in it. Its
-/// faults, if it has any, come back as the error.
+/// faults, if it has any, come back as the error, and as records with `--json`.
 pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome> {
-    let loaded = arguments.policy.load(&arguments.scene)?;
+    let name = arguments.scene.display().to_string();
+    let loaded = match arguments.policy.load(&arguments.scene) {
+        Ok(loaded) => loaded,
+        Err(error) => {
+            if let Some(faulty) = Faulty::of(name, &error).filter(|_| common.json) {
+                report::print(&report::json(&faulty))?;
+            }
+            return Err(error);
+        }
+    };
     let flat = flatten::<f32>(&loaded.scene);
     let contents = Contents {
-        scene: arguments.scene.display().to_string(),
+        scene: name,
         width: flat.size[0],
         height: flat.size[1],
         spheres: flat.spheres.len(),
@@ -44,6 +56,7 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
         effects: effects_of(&flat.counts()),
         device_bytes: flat.bytes(),
         warnings: loaded.warnings,
+        faults: [],
     };
     if common.json {
         report::print(&report::json(&contents))?;

@@ -31,6 +31,15 @@ const INEXACT_OUTLIERS: u64 = 1;
 /// Compares a scene on GPU and CPU, or two image files.
 pub(super) fn run(arguments: &CompareArguments, common: &Common) -> Result<Outcome> {
     if let Some(output) = &arguments.output {
+        if !output
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+        {
+            return Err(Error::Usage(format!(
+                "`{}` does not end in .png: the difference picture is a PNG",
+                output.display()
+            )));
+        }
         frame::check_writable(output)?;
     }
     let is_scene = |path: &Path| path.extension().is_some_and(|ending| ending == "toml");
@@ -48,12 +57,11 @@ pub(super) fn run(arguments: &CompareArguments, common: &Common) -> Result<Outco
             ));
         }
     };
-    let text = if common.json {
-        report::json(&comparison)
-    } else {
-        summary(&comparison)
-    };
-    report::print(&text)?;
+    if common.json {
+        report::print(&report::json(&comparison))?;
+    } else if !common.quiet {
+        report::print(&summary(&comparison))?;
+    }
     Ok(if comparison.pass {
         Outcome::Done
     } else {

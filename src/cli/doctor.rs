@@ -38,14 +38,15 @@ struct Diagnoses {
     adapters: Vec<Diagnosis>,
 }
 
-/// Shows every adapter and measures its arithmetic.
+/// Shows every adapter and measures its arithmetic; where none is used without
+/// being named, the error says what to install.
 pub(super) fn run(common: &Common) -> Result<Outcome> {
     let diagnoses = Diagnoses {
         adapters: adapters().iter().map(diagnose).collect(),
     };
     if common.json {
         report::print(&report::json(&diagnoses))?;
-    } else {
+    } else if !common.quiet {
         report::print(
             &diagnoses
                 .adapters
@@ -55,10 +56,14 @@ pub(super) fn run(common: &Common) -> Result<Outcome> {
                 .join("\n"),
         )?;
     }
-    if diagnoses.adapters.is_empty() {
-        return Err(Error::NoAdapter("this machine offers none".into()));
+    // The same verdict as `--backend gpu` would meet.
+    match diagnoses.adapters.as_slice() {
+        [] => Err(Error::NoAdapter("this machine offers none".into())),
+        all if all.iter().all(|one| one.adapter.backend == "gl") => Err(Error::NoAdapter(
+            "this machine offers OpenGL only, which is used only where `--adapter` names it".into(),
+        )),
+        _ => Ok(Outcome::Done),
     }
-    Ok(Outcome::Done)
 }
 
 fn diagnose(adapter: &wgpu::Adapter) -> Diagnosis {

@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use rayproof::bounds::Bounds;
 use rayproof::compare::Tolerance;
+use rayproof::cpu::MAX_THREADS;
 use rayproof::error::{Error, Result};
 use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
@@ -107,7 +108,7 @@ pub(super) struct PlaceFlags {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub(super) size: Option<(u32, u32)>,
     /// Threads of the CPU path; one for each core if not given
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse_threads)]
     pub(super) threads: Option<NonZeroUsize>,
     /// Bounding volumes; they change the time, never the picture
     #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
@@ -209,6 +210,9 @@ impl TracingFlags {
                 "`--adapter` names a GPU, `--backend cpu` needs none".into(),
             )),
             BackendChoice::Cpu => Ok(Backend::Cpu(threads)),
+            BackendChoice::Gpu if self.accuracy() == Accuracy::Double => Err(Error::Usage(
+                "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
+            )),
             BackendChoice::Gpu => Ok(Backend::Gpu(Box::new(self.place.open_gpu()?))),
             // What is only computed on the CPU is computed there.
             BackendChoice::Auto if self.accuracy() == Accuracy::Double => Ok(Backend::Cpu(threads)),
@@ -317,6 +321,13 @@ fn parse_size(text: &str) -> Result<(u32, u32), String> {
         return Err(format!("each side of `{text}` must be 1 to {most} pixels"));
     }
     Ok(size)
+}
+
+fn parse_threads(text: &str) -> Result<NonZeroUsize, String> {
+    match text.parse() {
+        Ok(threads) if NonZeroUsize::get(threads) <= MAX_THREADS => Ok(threads),
+        _ => Err(format!("`{text}` is not a number from 1 to {MAX_THREADS}")),
+    }
 }
 
 fn parse_layer(text: &str) -> Result<Layer, String> {

@@ -6,7 +6,9 @@
 mod check;
 mod compare;
 mod doctor;
+mod faults;
 mod flags;
+mod memory;
 mod mesh;
 mod progress;
 mod render;
@@ -35,6 +37,7 @@ pub fn main() -> ExitCode {
         Err(error) => return report::usage(&error),
     };
     report::quiet_drivers();
+    report::format_errors();
     report::start_logging(&cli.common);
     progress::watch_for_interrupts();
     // Not by returning: dropping a device that hangs would hang as well.

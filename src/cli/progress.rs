@@ -1,6 +1,6 @@
 //! Progress on standard error, and Ctrl-C.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::{Duration, Instant};
@@ -8,6 +8,9 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::flags::{Common, ProgressMode};
+use super::report;
+use rayproof::error::Error;
+use rayproof::frame::while_nothing_is_written;
 use rayproof::watch::Watch;
 
 /// Work that takes less shows no bar.
@@ -18,6 +21,10 @@ const STEPS: u32 = 1000;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// How long work may take to notice an interrupt. Tracing asks often; reading a
+/// large mesh, a driver's compiling and packing a large picture do not.
+const GRACE: Duration = Duration::from_secs(2);
+
 /// On the first Ctrl-C (or SIGTERM) the work stops and nothing half is left; on
 /// the second the process ends at once.
 pub(super) fn watch_for_interrupts() {
@@ -25,6 +32,14 @@ pub(super) fn watch_for_interrupts() {
         if INTERRUPTED.swap(true, Ordering::SeqCst) {
             std::process::exit(130);
         }
+        // Not here: a second signal waits for this function to return.
+        std::thread::spawn(|| {
+            std::thread::sleep(GRACE);
+            while_nothing_is_written(|| {
+                let code = report::exit_code(Err(Error::Interrupted));
+                std::process::exit(i32::from(code));
+            });
+        });
     });
     if let Err(error) = handler {
         tracing::debug!("Ctrl-C ends the process at once: {error}");
@@ -67,7 +82,8 @@ impl Progress {
                     "seconds": self.started.elapsed().as_secs_f64(),
                     "work": self.label,
                 });
-                eprintln!("{object}");
+                // Who closed standard error does without.
+                let _ = writeln!(std::io::stderr(), "{object}");
             }
             ProgressMode::Auto if self.started.elapsed() < PATIENCE => {}
             ProgressMode::Auto | ProgressMode::Always => {

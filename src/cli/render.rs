@@ -10,7 +10,7 @@ use super::flags::{Common, RenderArguments};
 use super::progress::Progress;
 use super::report::{self, table};
 use rayproof::error::{Error, Result};
-use rayproof::frame::{self, Layer};
+use rayproof::frame::{self, Frame, Layer};
 use rayproof::render::{Rendering, Stats, render};
 use rayproof::scene::Transfer;
 
@@ -19,6 +19,16 @@ use rayproof::scene::Transfer;
 enum Format {
     Png,
     Exr,
+}
+
+impl Format {
+    /// Bytes a pixel that writing takes.
+    fn packing(self) -> u64 {
+        match self {
+            Self::Png => frame::PNG_PACKING,
+            Self::Exr => frame::EXR_PACKING,
+        }
+    }
 }
 
 /// The figures of a run, with the scene's name.
@@ -35,14 +45,15 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     let format = format_of(&arguments.output)?;
     let layers = layers_of(arguments, format)?;
     frame::check_writable(&arguments.output)?;
-    if let Some(stats) = arguments
+    let stats_file = arguments
         .stats
         .as_deref()
-        .filter(|path| *path != Path::new("-"))
-    {
-        frame::check_writable(stats)?;
+        .filter(|path| *path != Path::new("-"));
+    if let Some(path) = stats_file {
+        frame::check_writable(path)?;
     }
     let scene = arguments.tracing.place.load(&arguments.scene)?;
+    Frame::check_memory(scene.image.width, scene.image.height, format.packing())?;
     let backend = arguments.tracing.open_backend()?;
     tracing::info!("rendering on {}", backend.describe());
 
@@ -66,14 +77,12 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
         stats: &rendering.stats,
     };
     let json = report::json(&figures);
-    match arguments.stats.as_deref() {
-        Some(path) if path == Path::new("-") => report::print(&json)?,
-        Some(path) => frame::write_atomically(path, json.as_bytes())?,
-        None => {}
+    if let Some(path) = stats_file {
+        frame::write_atomically(path, json.as_bytes())?;
     }
-    if common.json {
+    if common.json || arguments.stats.is_some() && stats_file.is_none() {
         report::print(&json)?;
-    } else if !common.quiet && arguments.stats.as_deref() != Some(Path::new("-")) {
+    } else if !common.quiet {
         report::print(&summary(&rendering, arguments, &backend.describe()))?;
     }
     Ok(Outcome::Done)

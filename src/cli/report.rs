@@ -70,10 +70,26 @@ pub(super) fn exit_code(result: Result<Outcome>) -> u8 {
         Ok(Outcome::FellShort) => 1,
         Err(error) => {
             let code = error.exit_code();
-            eprintln!("{:?}", miette::Report::new(error));
+            // Nobody may be listening any more; the exit code still tells.
+            let _ = writeln!(std::io::stderr(), "{:?}", miette::Report::new(error));
             code
         }
     }
+}
+
+/// Says how errors look: in whole lines, for a name that is broken in two is not
+/// found by `grep`; and without the system's own message underneath, for ours
+/// holds it.
+pub(super) fn format_errors() {
+    // Fails only if it was called before.
+    let _ = miette::set_hook(Box::new(|_| {
+        Box::new(
+            miette::MietteHandlerOpts::new()
+                .wrap_lines(false)
+                .without_cause_chain()
+                .build(),
+        )
+    }));
 }
 
 /// Keeps Mesa from remarks that tell a user nothing: that lavapipe claims no
@@ -102,6 +118,8 @@ pub(super) fn start_logging(common: &Common) {
         .with_ansi(std::io::stderr().is_terminal())
         .with_max_level(level)
         .with_target(false)
+        // It would panic where standard error is closed.
+        .log_internal_errors(false)
         .without_time()
         .init();
 }

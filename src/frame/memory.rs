@@ -40,11 +40,11 @@ pub(super) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>> {
     Ok(values)
 }
 
-/// Bytes that can be taken without swapping or being killed: the least of what
-/// the kernel and the control group say. Where nothing is known, what one
+/// Bytes that can be taken without swapping, being refused or killed: the least
+/// of what the kernel, the control group and the process's own limit say. Where nothing is known, what one
 /// allocation can hold.
 fn available_bytes() -> u64 {
-    [system_bytes(), group_bytes()]
+    [system_bytes(), group_bytes(), process_bytes()]
         .into_iter()
         .flatten()
         .fold(isize::MAX as u64, u64::min)
@@ -69,6 +69,19 @@ fn group_bytes() -> Option<u64> {
         text.trim().parse().ok()
     };
     Some(read("memory.max")?.saturating_sub(read("memory.current")?))
+}
+
+/// Linux: the limit on the address space (`ulimit -v`) less what is in use.
+fn process_bytes() -> Option<u64> {
+    let number = |file: &str, line: &str| -> Option<u64> {
+        let text = fs::read_to_string(file).ok()?;
+        let rest = text.lines().find_map(|l| l.strip_prefix(line))?;
+        // `unlimited` is no number.
+        rest.split_whitespace().next()?.parse().ok()
+    };
+    let limit = number("/proc/self/limits", "Max address space")?;
+    let in_use = number("/proc/self/status", "VmSize:")?.checked_mul(1024)?;
+    Some(limit.saturating_sub(in_use))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ mod png;
 pub mod transfer;
 
 pub use layer::Layer;
-pub use output::{check_writable, write_atomically};
+pub use output::{check_writable, while_nothing_is_written, write_atomically};
 pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
 
@@ -22,6 +22,14 @@ const MAX_SIDE: u32 = i32::MAX as u32;
 
 /// Colour, depth, normal, position and id of one pixel.
 const BYTES_PER_PIXEL: u64 = 12 + 4 + 12 + 12 + 4;
+
+/// Bytes a pixel that writing a PNG takes beside the frame: the three codes, and
+/// the packed file twice, both of them no smaller for noise.
+pub const PNG_PACKING: u64 = 3 + 3 + 3;
+
+/// Bytes a pixel that writing an EXR of all layers takes beside the frame: the
+/// channels, and the file, no smaller for noise.
+pub const EXR_PACKING: u64 = 2 * BYTES_PER_PIXEL;
 
 /// A rendered picture: each layer holds `width * height` values, row by row
 /// from the top left.
@@ -72,6 +80,16 @@ impl Frame {
             position: memory::filled(pixels, [0.0; 3])?,
             id: memory::filled(pixels, NO_HIT)?,
         })
+    }
+
+    /// Whether the memory suffices for a frame of this size and for writing it to
+    /// a file that takes `packing` bytes a pixel on the way: [`PNG_PACKING`] or
+    /// [`EXR_PACKING`]. Asked before a long render.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] with the bytes needed and the bytes there are.
+    pub fn check_memory(width: u32, height: u32, packing: u64) -> Result<()> {
+        memory::reserve_pixels(width, height, BYTES_PER_PIXEL + packing).map(drop)
     }
 
     /// How many pixels the frame has.

@@ -3,10 +3,21 @@
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use tempfile::{Builder, NamedTempFile};
 
 use crate::{Error, Result};
+
+/// Held while a temporary file exists.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Calls `end` at a moment when no file is being written, so that a process which
+/// ends in it leaves no temporary file behind.
+pub fn while_nothing_is_written<T>(end: impl FnOnce() -> T) -> T {
+    let _nothing = WRITING.lock().unwrap_or_else(|e| e.into_inner());
+    end()
+}
 
 /// Writes a file so that `path` holds the old content or all of the new one,
 /// never a part: the bytes go to a temporary file in the same folder, to the
@@ -22,7 +33,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
             .write(true)
             .open(path)?
             .write_all(bytes),
-        Destination::File { path, old } => {
+        Destination::File { path, old } => while_nothing_is_written(|| {
             let mut file = temporary_beside(&path)?;
             file.write_all(bytes)?;
             if let Some(old) = old {
@@ -31,7 +42,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
             file.as_file().sync_all()?;
             file.persist(&path).map_err(|e| e.error)?;
             Ok(())
-        }
+        }),
     };
     write().map_err(|source| output_error(path, source))
 }
@@ -45,7 +56,9 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
 pub fn check_writable(path: &Path) -> Result<()> {
     let check = || match destination(path)? {
         Destination::Special => Ok(()),
-        Destination::File { path, .. } => temporary_beside(&path).map(drop),
+        Destination::File { path, .. } => {
+            while_nothing_is_written(|| temporary_beside(&path).map(drop))
+        }
     };
     check().map_err(|source| output_error(path, source))
 }

@@ -14,6 +14,16 @@ use crate::error::{Error, Result};
 /// its first use may take some seconds.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Why a device did not open. wgpu tells its reasons apart in words only.
+fn refusal(error: &wgpu::RequestDeviceError) -> Error {
+    let reason = error.to_string();
+    if reason.to_lowercase().contains("memory") {
+        Error::Limit(format!("the device did not open: {reason}"))
+    } else {
+        Error::DeviceLost(reason)
+    }
+}
+
 /// What went wrong on a device since it was opened.
 #[derive(Debug, Default)]
 struct Troubles {
@@ -78,7 +88,7 @@ impl Gpu {
             experimental_features: experimental,
             ..Default::default()
         }))
-        .map_err(|error| Error::DeviceLost(error.to_string()))?;
+        .map_err(|error| refusal(&error))?;
         let vulkan = adapter.get_info().backend == wgpu::Backend::Vulkan;
         let mut gpu = Self {
             adapter: AdapterDescription::of(adapter),

@@ -142,7 +142,8 @@ impl<'p> Library<'p> {
             Source::File(name) => {
                 let path = self.folder.join(name);
                 let file = self.read(&path).map_err(|error| error.to_string())?;
-                self.warnings.extend(file.warnings);
+                let named = |warning| format!("{}: {warning}", path.display());
+                self.warnings.extend(file.warnings.into_iter().map(named));
                 Asset::new(file.mesh, file.materials)
                     .map_err(|flaw| format!("{}: {}", path.display(), flaw.message))
             }
