@@ -78,6 +78,21 @@ impl<R> Flat<R> {
         }
     }
 
+    /// Bytes of the largest array of primitives or of tree nodes.
+    pub fn largest_array(&self) -> u64 {
+        let indices = self.material_indices.len() + self.leaf_ids.len();
+        let sizes = [
+            indices * size_of::<u32>(),
+            size_of_val(self.spheres.as_slice()),
+            size_of_val(self.planes.as_slice()),
+            size_of_val(self.disks.as_slice()),
+            size_of_val(self.triangles.as_slice()),
+            size_of_val(self.corner_normals.as_slice()),
+            size_of_val(self.pairs.as_slice()),
+        ];
+        sizes.into_iter().max().unwrap_or(0) as u64
+    }
+
     /// Bytes of all the arrays.
     pub fn bytes(&self) -> u64 {
         let bytes = size_of_val(&self.camera)

@@ -11,6 +11,7 @@ use rayproof::bounds::tree::{Tree, build};
 use rayproof::bounds::{Bounds, bound, primitive_boxes, validate};
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
+use rayproof::gpu::render::{Portions, render};
 use rayproof::kernel::aabb::{ball_box, clamp_to_box, triangle_box};
 use rayproof::kernel::camera::camera_ray;
 use rayproof::kernel::disk::intersect_disk;
@@ -304,12 +305,48 @@ fn a_cycle_ends() {
     assert_eq!(trace_pixel(&flat, 0, 0).tests, GIVEN_UP);
     let gpu = gpu();
     let mut pixels = Vec::new();
-    let portions = rayproof::gpu::render::Portions::of(&gpu);
-    rayproof::gpu::render::render(&gpu, &flat, portions, &Unwatched, &mut |_, rows| {
-        pixels.extend_from_slice(rows);
-    })
+    render(
+        &gpu,
+        &flat,
+        Portions::of(&gpu),
+        &Unwatched,
+        &mut |_, rows| {
+            pixels.extend_from_slice(rows);
+        },
+    )
     .unwrap();
     assert_eq!(pixels[0].tests, GIVEN_UP);
+}
+
+/// A scene that does not fit one binding is traced without volumes, and right.
+#[test]
+fn a_tree_that_does_not_fit_is_left_out() {
+    let mesh = rayproof::scene::mesh::build(Builtin::Knot, 2000);
+    let mut flat = flatten::<f32>(&mesh_scene(mesh, DVec3::new(0.0, 0.0, 4.0)));
+    let gpu = gpu();
+    let on_gpu = |flat: &Flat<f32>, binding_bytes: u64| {
+        let mut pixels = Vec::new();
+        let portions = Portions {
+            binding_bytes,
+            ..Portions::of(&gpu)
+        };
+        render(&gpu, flat, portions, &Unwatched, &mut |_, rows| {
+            pixels.extend_from_slice(rows);
+        })
+        .unwrap();
+        pixels
+    };
+    let reference = on_gpu(&flat, 1 << 27);
+    bound(&mut flat, Bounds::Tree);
+    let largest = flat.largest_array();
+    assert_eq!(on_gpu(&flat, largest - 1), reference);
+    // The control: where it fits, it is used.
+    let with_tree = on_gpu(&flat, largest);
+    assert!(
+        with_tree
+            .iter()
+            .all(|pixel| pixel.tests < reference[0].tests)
+    );
 }
 
 /// The control of the comparison: a box that is too small loses hits, and that is
@@ -342,8 +379,8 @@ fn a_box_that_is_too_small_is_noticed() {
     let mut small = plain.clone();
     bound(&mut small, Bounds::Tree);
     for pair in &mut small.pairs {
-        pair.left_high[0] -= 0.2;
-        pair.right_high[0] -= 0.2;
+        pair.left_high[0] -= 0.6;
+        pair.right_high[0] -= 0.6;
     }
     let lost = (0..64 * 64)
         .filter(|pixel| {

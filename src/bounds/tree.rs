@@ -189,7 +189,6 @@ fn place(tree: &mut Tree, at: usize, children: [Node; 2]) {
 }
 
 /// A child as a pair refers to it: its box, index and count, and its children.
-#[expect(clippy::type_complexity, reason = "read once, where it is taken apart")]
 fn reference(tree: &mut Tree, node: Node) -> (Aabb, u32, u32, Option<Box<[Node; 2]>>) {
     match node {
         Node::Leaf(bounds, ids) => {

@@ -60,6 +60,24 @@ pub fn render(
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
+    // A tree leads anywhere, so all that it leads to must be bound at once.
+    let plain;
+    let flat = if flat.pairs.is_empty() || flat.largest_array() <= portions.binding_bytes {
+        flat
+    } else {
+        tracing::warn!(
+            "the scene needs {} bytes in one buffer, more than the {} that this device binds: \
+             tracing without volumes",
+            flat.largest_array(),
+            portions.binding_bytes
+        );
+        plain = Flat {
+            pairs: Vec::new(),
+            leaf_ids: Vec::new(),
+            ..flat.clone()
+        };
+        &plain
+    };
     let program = Program::build(&shader_files(&flat.counts(), gpu.arithmetic.divide_file()))?;
     let kernel = gpu.compile(&program)?;
     let windows = Window::split(flat, portions.binding_bytes);
