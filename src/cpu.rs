@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use crate::error::{Error, Result};
@@ -20,54 +21,85 @@ const ROWS_PER_THREAD: u32 = 16;
 /// takes minutes in which nothing can stop it.
 pub const MAX_THREADS: usize = 1024;
 
-/// Renders a flattened scene on `threads` threads, or on one for each core. The
-/// rows of pixels are handed to `keep_rows`, from top to bottom, together with
-/// the number of their first row.
+/// Renders a flattened scene, once: [`Prepared::new`], then [`Prepared::run`].
 ///
 /// # Errors
 ///
-/// [`Error::Interrupted`] when `watch` says so, [`Error::Limit`] when no threads
-/// can be had or more than [`MAX_THREADS`] are asked for.
+/// As those two.
 pub fn render<R: Real>(
     flat: &Flat<R>,
     threads: Option<NonZeroUsize>,
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
-    if let Some(threads) = threads.filter(|threads| threads.get() > MAX_THREADS) {
-        return Err(Error::Limit(format!(
-            "{threads} threads are asked for, {MAX_THREADS} are the most"
-        )));
+    Prepared::new(flat, threads)?.run(watch, keep_rows)
+}
+
+/// A scene and the threads that wait for it: ready to be traced, any number of
+/// times.
+pub struct Prepared<'a, R> {
+    flat: &'a Flat<R>,
+    pool: ThreadPool,
+}
+
+impl<'a, R: Real> Prepared<'a, R> {
+    /// Starts `threads` threads, or one for each core.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Limit`] when no threads can be had or more than [`MAX_THREADS`]
+    /// are asked for.
+    pub fn new(flat: &'a Flat<R>, threads: Option<NonZeroUsize>) -> Result<Self> {
+        if let Some(threads) = threads.filter(|threads| threads.get() > MAX_THREADS) {
+            return Err(Error::Limit(format!(
+                "{threads} threads are asked for, {MAX_THREADS} are the most"
+            )));
+        }
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.map_or(0, NonZeroUsize::get))
+            .build()
+            .map_err(|error| Error::Limit(error.to_string()))?;
+        Ok(Self { flat, pool })
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.map_or(0, NonZeroUsize::get))
-        .build()
-        .map_err(|error| Error::Limit(error.to_string()))?;
-    let [width, height] = flat.size;
-    let band = ROWS_PER_THREAD * pool.current_num_threads() as u32;
-    let pixels_done = AtomicU64::new(0);
-    let total = u64::from(width) * u64::from(height);
-    let mut first_row = 0;
-    while first_row < height {
-        let rows = band.min(height - first_row);
-        let mut pixels = vec![Pixel::default(); rows as usize * width as usize];
-        pool.install(|| {
-            pixels
-                .par_iter_mut()
-                .enumerate()
-                .try_for_each(|(index, pixel)| {
-                    if watch.cancelled() {
-                        return Err(Error::Interrupted);
-                    }
-                    let (x, y) = (index as u32 % width, first_row + index as u32 / width);
-                    *pixel = trace_pixel(flat, x, y);
-                    let done = pixels_done.fetch_add(1, Ordering::Relaxed) + 1;
-                    watch.progress(done as f64 / total as f64);
-                    Ok(())
-                })
-        })?;
-        keep_rows(first_row, &pixels);
-        first_row += rows;
+
+    /// How many threads there are.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
     }
-    Ok(())
+
+    /// Traces all pixels. Their rows are handed to `keep_rows`, from top to
+    /// bottom, together with the number of their first row.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`] when `watch` says so.
+    pub fn run(&self, watch: &dyn Watch, keep_rows: &mut dyn FnMut(u32, &[Pixel])) -> Result<()> {
+        let [width, height] = self.flat.size;
+        let band = ROWS_PER_THREAD * self.threads() as u32;
+        let pixels_done = AtomicU64::new(0);
+        let total = u64::from(width) * u64::from(height);
+        let mut first_row = 0;
+        while first_row < height {
+            let rows = band.min(height - first_row);
+            let mut pixels = vec![Pixel::default(); rows as usize * width as usize];
+            self.pool.install(|| {
+                pixels
+                    .par_iter_mut()
+                    .enumerate()
+                    .try_for_each(|(index, pixel)| {
+                        if watch.cancelled() {
+                            return Err(Error::Interrupted);
+                        }
+                        let (x, y) = (index as u32 % width, first_row + index as u32 / width);
+                        *pixel = trace_pixel(self.flat, x, y);
+                        let done = pixels_done.fetch_add(1, Ordering::Relaxed) + 1;
+                        watch.progress(done as f64 / total as f64);
+                        Ok(())
+                    })
+            })?;
+            keep_rows(first_row, &pixels);
+            first_row += rows;
+        }
+        Ok(())
+    }
 }

@@ -15,7 +15,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::render::Portions;
 use crate::kernel::real::Real;
 use crate::kernel::tree::GIVEN_UP;
-use crate::layout::{NO_HIT, Pixel};
+use crate::layout::Pixel;
 use crate::scene::Scene;
 use crate::watch::Watch;
 use crate::{cpu, gpu};
@@ -249,7 +249,7 @@ fn trace_and_keep<R: Real>(
     let mut complete = true;
     trace(flat, &mut |row, pixels| {
         complete &= pixels.iter().all(|pixel| pixel.tests != GIVEN_UP);
-        keep_rows(frame, row, pixels);
+        frame.keep_rows(row, pixels);
     })?;
     Ok(complete)
 }
@@ -268,22 +268,6 @@ fn trace_on_gpu(
     tracing::warn!("the device was lost ({reason}); opening it anew");
     let gpu = gpu.reopen()?;
     gpu::render::render(&gpu, flat, Portions::of(&gpu), watch, keep)
-}
-
-/// Sorts pixels into the frame's layers.
-fn keep_rows(frame: &mut Frame, first_row: u32, pixels: &[Pixel]) {
-    let start = first_row as usize * frame.width as usize;
-    for (index, pixel) in (start..).zip(pixels) {
-        frame.color[index] = pixel.color;
-        frame.depth[index] = if pixel.id == NO_HIT {
-            f32::INFINITY
-        } else {
-            pixel.depth
-        };
-        frame.normal[index] = pixel.normal;
-        frame.position[index] = pixel.position;
-        frame.id[index] = pixel.id;
-    }
 }
 
 fn milliseconds(since: Instant) -> f64 {

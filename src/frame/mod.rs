@@ -15,6 +15,7 @@ pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
 
 pub use crate::layout::NO_HIT;
+use crate::layout::Pixel;
 use crate::{Error, Result};
 
 /// PNG stores a side in 31 bits, EXR in a signed 32-bit number.
@@ -90,6 +91,35 @@ impl Frame {
     /// [`Error::Limit`] with the bytes needed and the bytes there are.
     pub fn check_memory(width: u32, height: u32, packing: u64) -> Result<()> {
         memory::reserve_pixels(width, height, BYTES_PER_PIXEL + packing).map(drop)
+    }
+
+    /// Sorts whole rows of traced pixels into the layers, from row `first_row` on.
+    pub fn keep_rows(&mut self, first_row: u32, pixels: &[Pixel]) {
+        let start = first_row as usize * self.width as usize;
+        for (index, pixel) in (start..).zip(pixels) {
+            self.color[index] = pixel.color;
+            self.depth[index] = if pixel.id == NO_HIT {
+                f32::INFINITY
+            } else {
+                pixel.depth
+            };
+            self.normal[index] = pixel.normal;
+            self.position[index] = pixel.position;
+            self.id[index] = pixel.id;
+        }
+    }
+
+    /// Whether every bit of every layer is the same.
+    pub fn has_bits_of(&self, other: &Frame) -> bool {
+        fn same<T: bytemuck::NoUninit>(left: &[T], right: &[T]) -> bool {
+            bytemuck::cast_slice::<T, u8>(left) == bytemuck::cast_slice::<T, u8>(right)
+        }
+        (self.width, self.height) == (other.width, other.height)
+            && same(&self.color, &other.color)
+            && same(&self.depth, &other.depth)
+            && same(&self.normal, &other.normal)
+            && same(&self.position, &other.position)
+            && same(&self.id, &other.id)
     }
 
     /// How many pixels the frame has.
@@ -169,6 +199,30 @@ mod tests {
         frame.color[0] = [f32::NAN, f32::NAN, 0.0];
         frame.color[3] = [0.0, 0.0, f32::NEG_INFINITY];
         assert_eq!(frame.non_finite_pixels(), 2);
+    }
+
+    #[test]
+    fn one_bit_of_any_layer_makes_a_difference() {
+        let frame = Frame::new(2, 2).unwrap();
+        assert!(frame.has_bits_of(&frame.clone()));
+        let changes: [fn(&mut Frame); 5] = [
+            |frame| frame.color[3][2] = -0.0,
+            |frame| frame.depth[0] = f32::MAX,
+            |frame| frame.normal[1][0] = f32::from_bits(1),
+            |frame| frame.position[2][1] = f32::NAN,
+            |frame| frame.id[3] = 0,
+        ];
+        for change in changes {
+            let mut other = frame.clone();
+            change(&mut other);
+            assert!(!frame.has_bits_of(&other), "{other:?}");
+        }
+        let not_numbers = Frame {
+            depth: vec![f32::NAN; 4],
+            ..frame.clone()
+        };
+        assert!(not_numbers.has_bits_of(&not_numbers));
+        assert!(!Frame::new(4, 1).unwrap().has_bits_of(&frame));
     }
 
     #[test]

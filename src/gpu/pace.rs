@@ -15,12 +15,12 @@ const FEWEST: u32 = 256;
 /// Rows of a workgroup; a tile of fewer leaves lanes idle.
 const WORKGROUP_ROWS: u32 = 8;
 
-/// The pace of one render.
+/// The pace of a scene on a device.
 #[derive(Debug)]
 pub(super) struct Pace {
     /// Primitives that a dispatch may test at most.
     most: u32,
-    /// Primitives of the scene.
+    /// Primitives that a ray tests.
     primitives: u32,
     width: u32,
     /// Shape tests a second.
@@ -40,6 +40,11 @@ impl Pace {
             tested: 0.0,
             total,
         }
+    }
+
+    /// Begins another picture at the rate that is known.
+    pub(super) fn start_anew(&mut self) {
+        self.tested = 0.0;
     }
 
     /// Rows of the next tile, at most `limit`.

@@ -5,6 +5,7 @@
 //! lavapipe silently stops an invocation; it lets progress show and a render be
 //! cancelled.
 
+use std::borrow::Cow;
 use std::time::Instant;
 
 use super::device::Gpu;
@@ -45,14 +46,11 @@ impl Portions {
     }
 }
 
-/// Renders a flattened scene. The rows of pixels are handed to `keep_rows`, from
-/// top to bottom, together with the number of their first row.
+/// Renders a flattened scene, once: [`Prepared::new`], then [`Prepared::run`].
 ///
 /// # Errors
 ///
-/// [`Error::Limit`] when the scene does not fit the device, [`Error::DeviceLost`]
-/// when the device is lost or did not do all the tests, [`Error::Interrupted`]
-/// when `watch` says so.
+/// As those two.
 pub fn render(
     gpu: &Gpu,
     flat: &Flat<f32>,
@@ -60,71 +58,90 @@ pub fn render(
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
-    // A tree leads anywhere, so all that it leads to must be bound at once.
-    let plain;
-    let flat = if flat.pairs.is_empty() || flat.largest_array() <= portions.binding_bytes {
-        flat
-    } else {
-        tracing::warn!(
-            "the scene needs {} bytes in one buffer, more than the {} that this device binds: \
-             tracing without volumes",
-            flat.largest_array(),
-            portions.binding_bytes
-        );
-        plain = Flat {
-            pairs: Vec::new(),
-            leaf_ids: Vec::new(),
-            ..flat.clone()
-        };
-        &plain
-    };
-    let program = Program::build(&shader_files(&flat.counts(), gpu.arithmetic.divide_file()))?;
-    let kernel = gpu.compile(&program)?;
-    let windows = Window::split(flat, portions.binding_bytes);
-    let stage = Stage::set_up(gpu, flat, &kernel, &windows)?;
-    let work = Work {
-        gpu,
-        flat,
-        kernel,
-        windows,
-        stage,
-    };
-    let mut pace = Pace::new(
-        flat.size,
-        flat.primitives(),
-        portions.primitives_per_dispatch,
-    );
-    let mut first_row = 0;
-    while first_row < flat.size[1] {
-        let rows = pace.rows(work.stage.max_rows).min(flat.size[1] - first_row);
-        let pixels = work.trace(Tile { first_row, rows }, &mut pace, watch)?;
-        if flat.pairs.is_empty() {
-            check_tests(&pixels, flat.primitives())?;
-        }
-        keep_rows(first_row, &pixels);
-        first_row += rows;
-    }
-    Ok(())
+    Prepared::new(gpu, flat, portions)?.run(watch, keep_rows)
 }
 
-/// A scene on a device, ready to be traced.
-struct Work<'a> {
+/// A scene on a device, uploaded and its shaders compiled: ready to be traced,
+/// any number of times.
+pub struct Prepared<'a> {
     gpu: &'a Gpu,
-    flat: &'a Flat<f32>,
+    flat: Cow<'a, Flat<f32>>,
     kernel: Kernel,
     windows: Vec<Window>,
     stage: Stage,
+    pace: Pace,
 }
 
-impl Work<'_> {
+impl<'a> Prepared<'a> {
+    /// Uploads a flattened scene and compiles the shaders that it calls for. A
+    /// tree that does not fit the device is left out, with a warning.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Limit`] when the scene does not fit the device,
+    /// [`Error::Shader`] when the driver refuses a shader.
+    pub fn new(gpu: &'a Gpu, flat: &'a Flat<f32>, portions: Portions) -> Result<Self> {
+        let flat = bindable(flat, portions.binding_bytes);
+        let program = Program::build(&shader_files(&flat.counts(), gpu.arithmetic.divide_file()))?;
+        let kernel = gpu.compile(&program)?;
+        let windows = Window::split(&flat, portions.binding_bytes);
+        let stage = Stage::set_up(gpu, &flat, &kernel, &windows)?;
+        let pace = Pace::new(
+            flat.size,
+            flat.primitives(),
+            portions.primitives_per_dispatch,
+        );
+        Ok(Self {
+            gpu,
+            flat,
+            kernel,
+            windows,
+            stage,
+            pace,
+        })
+    }
+
+    /// Whether rays go through a tree: one was built, and it fits the device.
+    pub fn has_tree(&self) -> bool {
+        !self.flat.pairs.is_empty()
+    }
+
+    /// Traces all pixels. Their rows are handed to `keep_rows`, from top to
+    /// bottom, together with the number of their first row. What a run learns of
+    /// the device's pace, the next one starts from.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::DeviceLost`] when the device is lost or did not do all the tests,
+    /// [`Error::Interrupted`] when `watch` says so.
+    pub fn run(
+        &mut self,
+        watch: &dyn Watch,
+        keep_rows: &mut dyn FnMut(u32, &[Pixel]),
+    ) -> Result<()> {
+        self.pace.start_anew();
+        let height = self.flat.size[1];
+        let mut first_row = 0;
+        while first_row < height {
+            let rows = self.pace.rows(self.stage.max_rows).min(height - first_row);
+            let pixels = self.trace(Tile { first_row, rows }, watch)?;
+            if !self.has_tree() {
+                check_tests(&pixels, self.flat.primitives())?;
+            }
+            keep_rows(first_row, &pixels);
+            first_row += rows;
+        }
+        Ok(())
+    }
+
     /// The pixels of a tile: its closest hits, window after window, then their
     /// colours, window after window.
-    fn trace(&self, tile: Tile, pace: &mut Pace, watch: &dyn Watch) -> Result<Vec<Pixel>> {
+    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<Vec<Pixel>> {
         for index in 0..self.windows.len() {
-            self.trace_window(index, tile, pace, watch)?;
+            self.trace_window(index, tile, watch)?;
         }
         for (index, window) in self.windows.iter().enumerate() {
-            let orders = window.orders(self.flat, window.ids.clone(), tile);
+            let orders = window.orders(&self.flat, window.ids.clone(), tile);
             self.stage
                 .dispatch(self.gpu, &self.kernel, "shade_tile", index, &orders)?;
         }
@@ -134,13 +151,7 @@ impl Work<'_> {
 
     /// Brings the tile's closest hits up to date with the primitives of a window.
     /// An empty window gets one dispatch too, which notes that nothing is hit.
-    fn trace_window(
-        &self,
-        index: usize,
-        tile: Tile,
-        pace: &mut Pace,
-        watch: &dyn Watch,
-    ) -> Result<()> {
+    fn trace_window(&mut self, index: usize, tile: Tile, watch: &dyn Watch) -> Result<()> {
         let window = &self.windows[index];
         let pixels = self.flat.size[0] * tile.rows;
         let mut begin = window.ids.start;
@@ -148,28 +159,43 @@ impl Work<'_> {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
-            let end = if self.flat.pairs.is_empty() {
-                window.ids.end.min(begin.saturating_add(pace.chunk(pixels)))
-            } else {
+            let end = if self.has_tree() {
                 window.ids.end
+            } else {
+                let chunk = self.pace.chunk(pixels);
+                window.ids.end.min(begin.saturating_add(chunk))
             };
-            let orders = window.orders(self.flat, begin..end, tile);
+            let orders = window.orders(&self.flat, begin..end, tile);
             let started = Instant::now();
             self.stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", index, &orders)?;
-            let tested = if self.flat.pairs.is_empty() {
-                end - begin
-            } else {
-                1
-            };
-            pace.learn(pixels, tested, started.elapsed());
-            watch.progress(pace.done());
+            let tested = if self.has_tree() { 1 } else { end - begin };
+            self.pace.learn(pixels, tested, started.elapsed());
+            watch.progress(self.pace.done());
             begin = end;
             if begin >= window.ids.end {
                 return Ok(());
             }
         }
     }
+}
+
+/// The scene, without its tree where one buffer cannot hold what it leads to: a
+/// tree leads anywhere, so all of it must be bound at once.
+fn bindable(flat: &Flat<f32>, binding_bytes: u64) -> Cow<'_, Flat<f32>> {
+    if flat.pairs.is_empty() || flat.largest_array() <= binding_bytes {
+        return Cow::Borrowed(flat);
+    }
+    tracing::warn!(
+        "the scene needs {} bytes in one buffer, more than the {binding_bytes} that this device \
+         binds: tracing without volumes",
+        flat.largest_array(),
+    );
+    Cow::Owned(Flat {
+        pairs: Vec::new(),
+        leaf_ids: Vec::new(),
+        ..flat.clone()
+    })
 }
 
 /// Every pixel must have tested every primitive: a driver that stops a loop
