@@ -31,6 +31,7 @@ pub mod frame;
 pub mod gpu;
 pub mod kernel;
 pub mod layout;
+pub mod measure;
 pub mod render;
 pub mod scene;
 pub mod watch;
