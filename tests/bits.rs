@@ -2,11 +2,12 @@
 
 mod common;
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 use common::{BRUTE_FORCE, assert_same_bits, compare, gpu, on_cpu, on_gpu, scene};
 use glam::{DMat3, DVec3};
+use rayproof::bounds::{Bounds, bound};
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::layout::Pixel;
@@ -265,4 +266,30 @@ fn a_render_can_be_cancelled() {
         let outcome = rayproof::render(&scene, &backend, BRUTE_FORCE, &watch);
         assert!(matches!(outcome, Err(Error::Interrupted)));
     }
+}
+
+/// Keeps what it is told of the progress.
+#[derive(Default)]
+struct Listener(Mutex<Vec<f64>>);
+
+impl Watch for Listener {
+    fn progress(&self, done: f64) {
+        self.0.lock().unwrap().push(done);
+    }
+}
+
+/// A ray through a tree is one small piece of work, however many primitives
+/// there are: few dispatches, and a progress that ends at the end.
+#[test]
+fn the_pace_of_a_tree_is_not_that_of_brute_force() {
+    let gpu = gpu();
+    let scene = mesh_scene(Builtin::Icosphere, 20_000, 512);
+    let mut flat = flatten::<f32>(&scene);
+    bound(&mut flat, Bounds::Tree);
+    let listener = Listener::default();
+    render(&gpu, &flat, Portions::of(&gpu), &listener, &mut |_, _| {}).unwrap();
+    let told = listener.0.into_inner().unwrap();
+    assert!((told[told.len() - 1] - 1.0).abs() < 1e-9, "{told:?}");
+    // 64 would be tiles of the least height, 8 rows.
+    assert!(told.len() < 40, "{} dispatches", told.len());
 }

@@ -24,6 +24,10 @@ use crate::watch::Watch;
 /// that lavapipe allows an invocation, with room for the other loops.
 const PRIMITIVES_PER_DISPATCH: u32 = 60_000;
 
+/// What a ray through a tree counts for, in shape tests: some pairs of boxes and
+/// some shapes. The first dispatch is sized by it, the others by what they take.
+const TREE_TESTS: u32 = 32;
+
 /// How much goes into one dispatch and into one buffer at most.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Portions {
@@ -88,7 +92,7 @@ impl<'a> Prepared<'a> {
         let stage = Stage::set_up(gpu, &flat, &kernel, &windows)?;
         let pace = Pace::new(
             flat.size,
-            flat.primitives(),
+            tests_per_ray(&flat),
             portions.primitives_per_dispatch,
         );
         Ok(Self {
@@ -169,7 +173,11 @@ impl<'a> Prepared<'a> {
             let started = Instant::now();
             self.stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", index, &orders)?;
-            let tested = if self.has_tree() { 1 } else { end - begin };
+            let tested = if self.has_tree() {
+                tests_per_ray(&self.flat)
+            } else {
+                end - begin
+            };
             self.pace.learn(pixels, tested, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;
@@ -196,6 +204,15 @@ fn bindable(flat: &Flat<f32>, binding_bytes: u64) -> Cow<'_, Flat<f32>> {
         leaf_ids: Vec::new(),
         ..flat.clone()
     })
+}
+
+/// Shape tests of one ray, as far as the pace is concerned.
+fn tests_per_ray(flat: &Flat<f32>) -> u32 {
+    if flat.pairs.is_empty() {
+        flat.primitives()
+    } else {
+        TREE_TESTS.min(flat.primitives())
+    }
 }
 
 /// Every pixel must have tested every primitive: a driver that stops a loop
