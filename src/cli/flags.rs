@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::bench::flags::BenchArguments;
 use rayproof::bounds::Bounds;
 use rayproof::compare::Tolerance;
 use rayproof::cpu::MAX_THREADS;
@@ -33,6 +34,8 @@ pub(super) enum Command {
     Render(RenderArguments),
     /// Render a scene on GPU and CPU and compare, or compare two image files
     Compare(CompareArguments),
+    /// Time bounding volumes and backends side by side, and compare their pictures
+    Bench(BenchArguments),
     /// Check a scene and all that it refers to, and report every fault at once
     Check(CheckArguments),
     /// Show the adapters of this machine and what their arithmetic does
@@ -244,13 +247,20 @@ impl TracingFlags {
     }
 }
 
+impl BoundsChoice {
+    /// The volumes that it names.
+    pub(super) fn bounds(self) -> Bounds {
+        match self {
+            Self::None => Bounds::None,
+            Self::Tree => Bounds::Tree,
+        }
+    }
+}
+
 impl PlaceFlags {
     /// The volumes asked for.
     pub(super) fn bounds(&self) -> Bounds {
-        match self.bounds {
-            BoundsChoice::None => Bounds::None,
-            BoundsChoice::Tree => Bounds::Tree,
-        }
+        self.bounds.bounds()
     }
 
     /// Opens the GPU adapter asked for.
@@ -268,18 +278,27 @@ impl PlaceFlags {
     ///
     /// All the faults of the scene.
     pub(super) fn load(&self, path: &Path) -> Result<Scene> {
-        let Loaded { scene, warnings } = self.policy.load(path)?;
-        for warning in warnings {
-            tracing::warn!("{warning}");
-        }
-        Ok(match self.size {
-            Some((width, height)) => scene.with_size(width, height),
-            None => scene,
-        })
+        self.policy.load_scene(path, self.size)
     }
 }
 
 impl PolicyFlags {
+    /// Loads a scene, in the size asked for, and logs its warnings.
+    ///
+    /// # Errors
+    ///
+    /// All the faults of the scene.
+    pub(super) fn load_scene(&self, path: &Path, size: Option<(u32, u32)>) -> Result<Scene> {
+        let Loaded { scene, warnings } = self.load(path)?;
+        for warning in warnings {
+            tracing::warn!("{warning}");
+        }
+        Ok(match size {
+            Some((width, height)) => scene.with_size(width, height),
+            None => scene,
+        })
+    }
+
     /// Loads a scene and keeps its warnings.
     ///
     /// # Errors
@@ -309,7 +328,7 @@ impl CompareArguments {
     }
 }
 
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
+pub(super) fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let wrong = || format!("`{text}` is not a size; write it as 640x480");
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(wrong)?;
     let size = (
@@ -323,7 +342,7 @@ fn parse_size(text: &str) -> Result<(u32, u32), String> {
     Ok(size)
 }
 
-fn parse_threads(text: &str) -> Result<NonZeroUsize, String> {
+pub(super) fn parse_threads(text: &str) -> Result<NonZeroUsize, String> {
     match text.parse() {
         Ok(threads) if NonZeroUsize::get(threads) <= MAX_THREADS => Ok(threads),
         _ => Err(format!("`{text}` is not a number from 1 to {MAX_THREADS}")),

@@ -92,6 +92,19 @@ fn an_interrupt_ends_a_render_and_leaves_the_old_file() {
 }
 
 #[test]
+fn an_interrupt_ends_a_benchmark() {
+    let room = Room::new();
+    room.write("endless.toml", endless_scene());
+    let line = "bench endless.toml --bounds none --progress json";
+    let mut work = Work::start(&room, line);
+    work.await_progress();
+    work.signal("INT");
+    let (code, took) = work.end();
+    assert_eq!(code, Some(130));
+    assert!(took < SOON, "{took:?}");
+}
+
+#[test]
 fn an_interrupt_ends_what_does_not_ask_for_it() {
     let room = Room::new();
     let line = "mesh knot --detail 10000000 -o a.obj";

@@ -1,0 +1,304 @@
+//! `rayproof bench`.
+
+pub(super) mod flags;
+mod results;
+
+use std::time::Instant;
+
+use self::flags::BenchArguments;
+use self::results::{Results, Row};
+use super::Outcome;
+use super::flags::Common;
+use super::progress::Progress;
+use super::report;
+use rayproof::bounds::{self, Bounds};
+use rayproof::compare::{Tolerance, compare_frames};
+use rayproof::cpu;
+use rayproof::error::{Error, Result};
+use rayproof::flat::Flat;
+use rayproof::flatten::flatten;
+use rayproof::frame::Frame;
+use rayproof::gpu::device::Gpu;
+use rayproof::gpu::render::{self as gpu, Portions};
+use rayproof::kernel::tree::GIVEN_UP;
+use rayproof::layout::Pixel;
+use rayproof::measure::{Plan, Spread, Times, Turn, interleave};
+use rayproof::scene::Scene;
+use rayproof::watch::Watch;
+
+/// Times every choice of volumes on every backend, side by side, and holds their
+/// pictures to the first one's.
+pub(super) fn run(arguments: &BenchArguments, common: &Common) -> Result<Outcome> {
+    let scene = arguments.load()?;
+    scene.validate()?;
+    let device = arguments.open_gpu()?;
+    if let Some(device) = device.as_ref().filter(|device| !device.is_bit_exact()) {
+        tracing::warn!(
+            "{} may contract or round loosely, so its pictures may differ from the CPU's",
+            device.adapter.name
+        );
+    }
+    let plan = arguments.plan();
+    let scenes = bounded_scenes(&scene, &arguments.bounds(), &plan)?;
+    let mut cases = Vec::new();
+    for threads in arguments.threads(device.as_ref()) {
+        for scene in &scenes {
+            let prepared = cpu::Prepared::new(&scene.flat, threads)?;
+            cases.push(Case::new(scene, Tracer::Cpu(prepared)));
+        }
+    }
+    if let Some(device) = &device {
+        for scene in &scenes {
+            cases.push(Case::new(scene, Tracer::on_gpu(device, scene)?));
+        }
+    }
+    let times = measure(&mut cases, &scene, &plan, common)?;
+
+    let results = Results {
+        scene: arguments.scene.display().to_string(),
+        width: scene.image.width,
+        height: scene.image.height,
+        primitives: scenes[0].flat.primitives(),
+        clock: "wall",
+        warmup: plan.warm_ups,
+        budget_s: plan.budget,
+        equal: cases.iter().all(|case| case.different_pixels == 0),
+        runs: rows(&cases, &times, &scene),
+    };
+    if common.json {
+        report::print(&report::json(&results))?;
+    } else if !common.quiet {
+        report::print(&results.table(plan.runs))?;
+    }
+    Ok(if results.equal {
+        Outcome::Done
+    } else {
+        Outcome::FellShort
+    })
+}
+
+/// A flattened scene with its volumes.
+struct BoundedScene {
+    bounds: Bounds,
+    flat: Flat<f32>,
+    /// Seconds that building the volumes took.
+    build: Spread,
+}
+
+/// Builds each kind of volumes as often as the plan says.
+fn bounded_scenes(scene: &Scene, choices: &[Bounds], plan: &Plan) -> Result<Vec<BoundedScene>> {
+    let flat = flatten::<f32>(scene);
+    let mut flats = vec![flat; choices.len()];
+    let times = interleave(plan, choices.len(), &mut |turn| {
+        let started = Instant::now();
+        bounds::bound(&mut flats[turn.job], choices[turn.job]);
+        Ok(started.elapsed().as_secs_f64())
+    })?;
+    let built = choices.iter().zip(flats).zip(&times);
+    Ok(built
+        .map(|((&bounds, flat), times)| BoundedScene {
+            bounds,
+            flat,
+            build: Spread::of(&times.seconds),
+        })
+        .collect())
+}
+
+/// A backend with a scene prepared on it.
+enum Tracer<'a> {
+    Cpu(cpu::Prepared<'a, f32>),
+    Gpu(&'a Gpu, gpu::Prepared<'a>),
+}
+
+impl<'a> Tracer<'a> {
+    fn on_gpu(device: &'a Gpu, scene: &'a BoundedScene) -> Result<Self> {
+        let prepared = gpu::Prepared::new(device, &scene.flat, Portions::of(device))?;
+        if !scene.flat.pairs.is_empty() && !prepared.has_tree() {
+            return Err(Error::Limit(format!(
+                "`{}` cannot be measured on {}: add `--bounds none` or `--backend cpu`",
+                scene.bounds.name(),
+                device.adapter.name
+            )));
+        }
+        Ok(Self::Gpu(device, prepared))
+    }
+
+    fn run(&mut self, watch: &dyn Watch, keep: &mut dyn FnMut(u32, &[Pixel])) -> Result<()> {
+        match self {
+            Self::Cpu(prepared) => prepared.run(watch, keep),
+            Self::Gpu(_, prepared) => prepared.run(watch, keep),
+        }
+    }
+}
+
+/// What is measured: volumes on a backend.
+struct Case<'a> {
+    scene: &'a BoundedScene,
+    tracer: Tracer<'a>,
+    /// Pixels by which its worst picture differed from the first case's.
+    different_pixels: u64,
+}
+
+impl<'a> Case<'a> {
+    fn new(scene: &'a BoundedScene, tracer: Tracer<'a>) -> Self {
+        Self {
+            scene,
+            tracer,
+            different_pixels: 0,
+        }
+    }
+
+    fn backend(&self) -> &'static str {
+        match self.tracer {
+            Tracer::Cpu(_) => "cpu",
+            Tracer::Gpu(..) => "gpu",
+        }
+    }
+
+    fn adapter(&self) -> Option<&str> {
+        match &self.tracer {
+            Tracer::Cpu(_) => None,
+            Tracer::Gpu(device, _) => Some(&device.adapter.name),
+        }
+    }
+
+    fn threads(&self) -> Option<usize> {
+        match &self.tracer {
+            Tracer::Cpu(prepared) => Some(prepared.threads()),
+            Tracer::Gpu(..) => None,
+        }
+    }
+
+    /// What the progress of a run is called.
+    fn label(&self, turn: Turn) -> String {
+        let threads = match self.threads() {
+            Some(threads) => format!(" on {threads} threads"),
+            None => String::new(),
+        };
+        let run = if turn.warm_up { "warm-up" } else { "run" };
+        let (backend, bounds) = (self.backend(), self.scene.bounds.name());
+        format!("{backend}{threads}, {bounds}, {run} {}", turn.number)
+    }
+
+    /// Traces a picture into `frame` and gives the seconds that it took, reading
+    /// it back included.
+    fn trace(&mut self, frame: &mut Frame, watch: &dyn Watch) -> Result<f64> {
+        let mut complete = true;
+        let started = Instant::now();
+        self.tracer.run(watch, &mut |row, pixels| {
+            complete &= pixels.iter().all(|pixel| pixel.tests != GIVEN_UP);
+            frame.keep_rows(row, pixels);
+        })?;
+        let seconds = started.elapsed().as_secs_f64();
+        if complete {
+            return Ok(seconds);
+        }
+        Err(Error::Limit(format!(
+            "some rays meet too many volumes of `{}`: add `--bounds none`",
+            self.scene.bounds.name()
+        )))
+    }
+}
+
+/// Runs all cases in turn, and compares each picture with the very first one.
+fn measure(
+    cases: &mut [Case<'_>],
+    scene: &Scene,
+    plan: &Plan,
+    common: &Common,
+) -> Result<Vec<Times>> {
+    let mut frame = Frame::new(scene.image.width, scene.image.height)?;
+    let mut first: Option<Frame> = None;
+    interleave(plan, cases.len(), &mut |turn| {
+        let case = &mut cases[turn.job];
+        let progress = Progress::new(common, case.label(turn));
+        let seconds = case.trace(&mut frame, &progress)?;
+        drop(progress);
+        match &first {
+            None => first = Some(frame.clone()),
+            Some(first) if first.has_bits_of(&frame) => {}
+            Some(first) => {
+                let comparison = compare_frames(first, &frame, &Tolerance::default())?;
+                case.different_pixels = case.different_pixels.max(comparison.different_pixels);
+            }
+        }
+        Ok(seconds)
+    })
+}
+
+fn rows(cases: &[Case<'_>], times: &[Times], scene: &Scene) -> Vec<Row> {
+    let rays = f64::from(scene.image.width) * f64::from(scene.image.height);
+    let measured = cases.iter().zip(times);
+    measured
+        .map(|(case, own)| {
+            let without = cases.iter().position(|other| {
+                other.scene.bounds == Bounds::None
+                    && (other.backend(), other.threads()) == (case.backend(), case.threads())
+            });
+            let speedup = without.map(|index| own.speedup_over(&times[index]));
+            let against_first = own.speedup_over(&times[0]);
+            let trace_ms = Spread::of(&own.seconds).times(1e3);
+            Row {
+                backend: case.backend(),
+                adapter: case.adapter().map(str::to_string),
+                threads: case.threads(),
+                bounds: case.scene.bounds,
+                runs: own.seconds.len(),
+                from_warm_up: own.from_warm_up,
+                median_ms: trace_ms.median,
+                min_ms: trace_ms.min,
+                max_ms: trace_ms.max,
+                mrays_per_s: rays / trace_ms.median / 1e3,
+                speedup: speedup.map(|ratio| ratio.median),
+                speedup_range: speedup.and_then(|ratio| ratio.range),
+                against_first: against_first.median,
+                against_first_range: against_first.range,
+                build_ms: case.scene.build.median * 1e3,
+                counters: None,
+                equal: case.different_pixels == 0,
+                different_pixels: case.different_pixels,
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    /// Measures a scene on the CPU, without volumes and with a tree, after
+    /// `change` was done to the second of the two; gives the pixels that differ.
+    fn different_pixels(change: fn(&mut Flat<f32>)) -> [u64; 2] {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes/shapes.toml");
+        let scene = Scene::load(file).unwrap().with_size(60, 40);
+        let plan = Plan {
+            warm_ups: 0,
+            runs: 2,
+            budget: 60.0,
+        };
+        let mut scenes = bounded_scenes(&scene, &[Bounds::None, Bounds::Tree], &plan).unwrap();
+        change(&mut scenes[1].flat);
+        let mut cases = Vec::new();
+        for scene in &scenes {
+            let prepared = cpu::Prepared::new(&scene.flat, None).unwrap();
+            cases.push(Case::new(scene, Tracer::Cpu(prepared)));
+        }
+        let line = ["rayproof", "--quiet", "doctor"];
+        let common = crate::cli::flags::Cli::parse_from(line).common;
+        let times = measure(&mut cases, &scene, &plan, &common).unwrap();
+        assert!(times.iter().all(|times| times.seconds.len() == 2));
+        [cases[0].different_pixels, cases[1].different_pixels]
+    }
+
+    #[test]
+    fn a_volume_that_cuts_the_picture_is_noticed() {
+        assert_eq!(different_pixels(|_| {}), [0, 0]);
+        let [first, second] = different_pixels(|flat| flat.spheres[1].radius *= 0.99);
+        assert_eq!(first, 0);
+        assert!(second > 0);
+        // A leaf is lost.
+        let [_, lost] = different_pixels(|flat| flat.leaf_ids.fill(flat.leaf_ids[0]));
+        assert!(lost > 0);
+    }
+}

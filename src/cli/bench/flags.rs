@@ -1,0 +1,141 @@
+//! The flags of `rayproof bench`, and their conversion into checked options.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::cli::flags::{BoundsChoice, PolicyFlags, parse_size, parse_threads};
+use rayproof::bounds::Bounds;
+use rayproof::error::{Error, Result};
+use rayproof::gpu::device::Gpu;
+use rayproof::measure::Plan;
+use rayproof::scene::Scene;
+
+/// Runs at most; more would only heat the machine.
+const MOST_RUNS: i64 = 10_000;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct BenchArguments {
+    /// The scene file
+    pub(super) scene: PathBuf,
+    /// Runs of each configuration that count, interleaved
+    #[arg(long, value_name = "N", default_value_t = 5,
+          value_parser = clap::value_parser!(u32).range(1..=MOST_RUNS))]
+    runs: u32,
+    /// Runs of each configuration before those
+    #[arg(long, value_name = "N", default_value_t = 1,
+          value_parser = clap::value_parser!(u32).range(0..=MOST_RUNS))]
+    warmup: u32,
+    /// Seconds after which a configuration is run no more, and told from what it has
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = parse_seconds)]
+    pub(super) budget: f64,
+    /// Size of the picture, in place of the scene's own
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<(u32, u32)>,
+    /// What traces the rays
+    #[arg(long, value_enum, default_value_t = BenchBackend::All)]
+    backend: BenchBackend,
+    /// Bounding volumes, side by side; all of them if not given
+    #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
+    bounds: Vec<BoundsChoice>,
+    /// Numbers of threads of the CPU path, side by side; one for each core if not given
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_threads)]
+    threads: Vec<NonZeroUsize>,
+    /// The GPU adapter whose name, driver or backend contains this
+    #[arg(long, value_name = "SUBSTRING")]
+    adapter: Option<String>,
+    #[command(flatten)]
+    policy: PolicyFlags,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum BenchBackend {
+    /// The best GPU adapter, software Vulkan included, or else the CPU
+    Auto,
+    /// The CPU reference path
+    Cpu,
+    /// A GPU adapter
+    Gpu,
+    /// The CPU reference path and a GPU adapter
+    All,
+}
+
+impl BenchArguments {
+    /// How often to run.
+    pub(super) fn plan(&self) -> Plan {
+        Plan {
+            warm_ups: self.warmup,
+            runs: self.runs,
+            budget: self.budget,
+        }
+    }
+
+    /// The volumes to measure.
+    pub(super) fn bounds(&self) -> Vec<Bounds> {
+        let all = BoundsChoice::value_variants();
+        let chosen = if self.bounds.is_empty() {
+            all
+        } else {
+            &self.bounds
+        };
+        chosen.iter().map(|choice| choice.bounds()).collect()
+    }
+
+    /// Opens the GPU adapter, where one is to be measured.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Usage`] for flags of a backend that is not measured,
+    /// [`Error::NoAdapter`] where a GPU is demanded and there is none.
+    pub(super) fn open_gpu(&self) -> Result<Option<Gpu>> {
+        match self.backend {
+            BenchBackend::Cpu if self.adapter.is_some() => Err(Error::Usage(
+                "`--adapter` names a GPU, `--backend cpu` needs none".into(),
+            )),
+            BenchBackend::Gpu if !self.threads.is_empty() => Err(Error::Usage(
+                "`--threads` is for the CPU, which `--backend gpu` leaves out".into(),
+            )),
+            BenchBackend::Cpu => Ok(None),
+            BenchBackend::Gpu | BenchBackend::All => Gpu::open(self.adapter.as_deref()).map(Some),
+            BenchBackend::Auto => match Gpu::open(self.adapter.as_deref()) {
+                Err(Error::NoAdapter(reason)) if self.adapter.is_none() => {
+                    tracing::warn!("no GPU adapter: {reason}; measuring the CPU");
+                    Ok(None)
+                }
+                outcome => outcome.map(Some),
+            },
+        }
+    }
+
+    /// The numbers of threads to measure the CPU with, none being one for each
+    /// core; empty where the CPU is not to be measured.
+    pub(super) fn threads(&self, gpu: Option<&Gpu>) -> Vec<Option<NonZeroUsize>> {
+        let on_cpu = match self.backend {
+            BenchBackend::Cpu | BenchBackend::All => true,
+            BenchBackend::Gpu => false,
+            BenchBackend::Auto => gpu.is_none(),
+        };
+        match (on_cpu, self.threads.as_slice()) {
+            (false, _) => Vec::new(),
+            (true, []) => vec![None],
+            (true, threads) => threads.iter().copied().map(Some).collect(),
+        }
+    }
+
+    /// Loads the scene, in the size asked for.
+    ///
+    /// # Errors
+    ///
+    /// All the faults of the scene.
+    pub(super) fn load(&self) -> Result<Scene> {
+        self.policy.load_scene(&self.scene, self.size)
+    }
+}
+
+fn parse_seconds(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(seconds) if (0.0..f64::INFINITY).contains(&seconds) => Ok(seconds),
+        _ => Err(format!("`{text}` is not a number of seconds")),
+    }
+}

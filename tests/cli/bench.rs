@@ -1,0 +1,165 @@
+//! `bench`: what is measured, and what is told of it.
+
+use serde_json::Value;
+
+use super::{Room, has_fields};
+
+const FIELDS: &str = "backend adapter threads bounds runs from_warm_up median_ms min_ms max_ms \
+    mrays_per_s speedup speedup_range against_first against_first_range build_ms counters equal \
+    different_pixels";
+
+/// Runs `bench ok.toml` in its own small size and gives the object.
+#[track_caller]
+fn bench(flags: &str) -> Value {
+    Room::new()
+        .run(&format!("bench ok.toml --json {flags}"))
+        .with(0)
+        .json()
+}
+
+/// The backends, threads and volumes of the rows.
+fn names(results: &Value) -> Vec<String> {
+    let rows = results["runs"].as_array().expect("rows");
+    rows.iter()
+        .map(|row| {
+            let text = |name: &str| row[name].as_str().expect("a name").to_string();
+            let threads = row["threads"].as_u64().map(|n| n.to_string());
+            [
+                text("backend"),
+                threads.unwrap_or("-".into()),
+                text("bounds"),
+            ]
+            .join(" ")
+        })
+        .collect()
+}
+
+#[track_caller]
+fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn all_backends_and_volumes_are_measured_side_by_side() {
+    let results = bench("--threads 1,2 --runs 3");
+    has_fields(
+        &results,
+        "scene width height primitives clock warmup budget_s equal runs",
+    );
+    assert_eq!(
+        names(&results),
+        [
+            "cpu 1 none",
+            "cpu 1 tree",
+            "cpu 2 none",
+            "cpu 2 tree",
+            "gpu - none",
+            "gpu - tree"
+        ]
+    );
+    assert_eq!(results["equal"], true);
+    let rows = results["runs"].as_array().expect("rows");
+    for (index, row) in rows.iter().enumerate() {
+        has_fields(row, FIELDS);
+        assert_eq!(row["runs"], 3);
+        assert_eq!(row["counters"], Value::Null);
+        let [min, median, max] = ["min_ms", "median_ms", "max_ms"].map(|name| number(&row[name]));
+        assert!(0.0 < min && min <= median && median <= max, "{row:#}");
+        let rate = 48.0 * 32.0 / median / 1e3;
+        assert!((number(&row["mrays_per_s"]) / rate - 1.0).abs() < 1e-9);
+        // Against `none` of the same backend and threads, which is the row before.
+        let none = number(&rows[index / 2 * 2]["median_ms"]);
+        assert_eq!(number(&row["speedup"]), none / median, "{row:#}");
+        let first = number(&rows[0]["median_ms"]);
+        assert_eq!(number(&row["against_first"]), first / median, "{row:#}");
+        let [low, high] = [0, 1].map(|end| number(&row["speedup_range"][end]));
+        assert!(low <= none / median && none / median <= high, "{row:#}");
+    }
+}
+
+#[test]
+fn what_was_not_measured_is_not_told() {
+    let results = bench("--backend cpu --bounds tree --threads 2 --runs 1");
+    assert_eq!(names(&results), ["cpu 2 tree"]);
+    let row = &results["runs"][0];
+    for name in ["speedup", "speedup_range", "adapter", "against_first_range"] {
+        assert_eq!(row[name], Value::Null, "{name}");
+    }
+    assert_eq!(row["against_first"], 1.0);
+    let results = bench("--backend gpu --bounds tree,none --runs 2");
+    assert_eq!(names(&results), ["gpu - tree", "gpu - none"]);
+    assert!(results["runs"][0]["speedup"].is_f64());
+    assert!(results["runs"][0]["adapter"].is_string());
+}
+
+#[test]
+fn a_spent_budget_is_told() {
+    let row = |flags: &str| {
+        let results = bench(&format!("--backend cpu --bounds none --runs 4 {flags}"));
+        let row = &results["runs"][0];
+        (row["runs"].clone(), row["from_warm_up"].clone())
+    };
+    assert_eq!(row(""), (4.into(), false.into()));
+    assert_eq!(row("--budget 0"), (1.into(), true.into()));
+    assert_eq!(row("--budget 0 --warmup 0"), (1.into(), false.into()));
+    let text = Room::new().run("bench ok.toml --backend cpu --budget 0");
+    assert!(
+        text.out.contains("the budget of 0 s was spent"),
+        "{text:#?}"
+    );
+    assert!(text.out.contains("* a warm-up"), "{text:#?}");
+}
+
+#[test]
+fn the_table_names_the_clock_and_the_verdict() {
+    let ended = Room::new()
+        .run("bench ok.toml --runs 2 --threads 1")
+        .with(0);
+    for words in [
+        "wall time of tracing alone; 1 + 2 runs, interleaved",
+        "backend  threads  bounds  runs",
+        "all pictures equal, bit for bit",
+    ] {
+        assert!(ended.out.contains(words), "no `{words}` in {ended:#?}");
+    }
+    assert!(!ended.out.contains("budget"), "{ended:#?}");
+}
+
+#[test]
+fn flags_that_make_no_sense_are_2() {
+    let room = Room::new();
+    for (flags, word) in [
+        ("--runs 0", "1..=10000"),
+        ("--budget -1", "unexpected"),
+        ("--budget=-1", "seconds"),
+        ("--budget nan", "seconds"),
+        ("--budget inf", "seconds"),
+        ("--bounds fog", "none, tree"),
+        ("--threads 1,0", "1 to 1024"),
+        ("--backend gpu --threads 1", "--threads"),
+        ("--backend cpu --adapter x", "--adapter"),
+        ("--size 0x1", "1 to 32768"),
+    ] {
+        room.run(&format!("bench ok.toml {flags}"))
+            .with(2)
+            .telling(&[word]);
+    }
+    room.run("bench none.toml").with(3);
+}
+
+#[test]
+fn without_an_adapter_all_is_4_and_auto_is_the_cpu() {
+    let room = Room::new();
+    let nothing = [("VK_DRIVER_FILES", "/nonexistent")];
+    room.run_with("bench ok.toml", &nothing)
+        .with(4)
+        .telling(&["mesa-vulkan-drivers"]);
+    let line = "bench ok.toml --backend auto --bounds tree --threads 1 --json";
+    let ended = room.run_with(line, &nothing).with(0);
+    assert_eq!(names(&ended.json()), ["cpu 1 tree"]);
+    assert!(ended.err.contains("measuring the CPU"), "{ended:#?}");
+    // With one, `auto` is the GPU.
+    assert_eq!(names(&room.run(line).with(0).json()), ["gpu - tree"]);
+}
