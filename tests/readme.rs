@@ -10,7 +10,8 @@
 //!
 //! What depends on the machine is masked before it is compared: the rows of
 //! tables and the fields of JSON named in [`ROWS`] and [`FIELDS`], and the
-//! adapter in `gpu (ADAPTER)`.
+//! adapter in `gpu (ADAPTER)`. In the tables of `bench`, whose lines begin as
+//! [`COLUMNS`] says, numbers with a point are, and the width of the columns.
 //!
 //! `RAYPROOF_README=write cargo test --test readme` writes what is printed now
 //! into the README, in place of what differs.
@@ -47,6 +48,9 @@ const FIELDS: &[&str] = &[
     "build_ms",
     "mrays_per_s",
 ];
+
+/// How lines of tables begin whose columns are times and ratios.
+const COLUMNS: &[&str] = &["backend  threads  ", "cpu  ", "gpu  "];
 
 /// Parts what one command prints from what the next one does: a control
 /// character that no output holds.
@@ -176,6 +180,12 @@ fn mask(line: &str) -> String {
     if let Some((name, _)) = row.filter(|(name, _)| ROWS.contains(name)) {
         return format!("{name}  *");
     }
+    if COLUMNS.iter().any(|start| line.starts_with(start)) {
+        let words = line.split_whitespace();
+        let figure = |word: &str| word.contains('.') && word.contains(|c: char| c.is_ascii_digit());
+        let masked = words.map(|word| if figure(word) { "*" } else { word });
+        return masked.collect::<Vec<_>>().join(" ");
+    }
     match (line.find("gpu ("), line.rfind(')')) {
         (Some(start), Some(end)) if start < end => {
             format!("{}gpu (*{}", &line[..start], &line[end..])
@@ -270,6 +280,14 @@ fn a_wrong_readme_is_noticed() {
         ("$ echo 'times  3 ms'\ntimes  4 ms", 1),
         ("$ echo 'a on gpu (x (y)) b'\na on gpu (z) b", 0),
         ("$ echo 'a on gpu (x (y)) b'\na on gpu (z) c", 1),
+        (
+            "$ echo 'cpu  1  tree  3  4.25   1.00 (0.50-2.00)'\ncpu  1  tree  3  14.5  0.98 (0.7-1.3)",
+            0,
+        ),
+        ("$ echo 'cpu  1  tree  3  4.25'\ncpu  1  none  3  4.25", 1),
+        ("$ echo 'cpu  1  tree  3  4.25'\ncpu  1  tree  2  4.25", 1),
+        ("$ echo 'cpu  1  tree  3  4.25'\ncpu  1  tree  3  -", 1),
+        ("$ echo 'x  1  tree  3  4.25'\nx  1  tree  3  4.5", 1),
         ("$ echo '  \"seconds\": 3,'\n  \"seconds\": 4,", 0),
         ("$ echo '  \"pixels\": 3,'\n  \"pixels\": 4,", 1),
         ("$ rayproof check assets/scenes/none.toml\n$ echo $?\n3", 1),
