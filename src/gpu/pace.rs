@@ -22,6 +22,9 @@ pub(super) struct Pace {
     most: u32,
     /// Primitives of the scene.
     primitives: u32,
+    /// Lights of the scene, which one dispatch goes through for each pixel. One
+    /// counts as a shape test: a root and a division or two, as that.
+    lights: u32,
     width: u32,
     /// Shape tests a second.
     rate: f64,
@@ -30,11 +33,12 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    pub(super) fn new([width, height]: [u32; 2], primitives: u32, most: u32) -> Self {
+    pub(super) fn new([width, height]: [u32; 2], primitives: u32, lights: u32, most: u32) -> Self {
         let total = f64::from(width) * f64::from(height) * f64::from(primitives.max(1));
         Self {
             most,
             primitives,
+            lights,
             width,
             rate: FIRST_GUESS,
             tested: 0.0,
@@ -44,8 +48,8 @@ impl Pace {
 
     /// Rows of the next tile, at most `limit`.
     pub(super) fn rows(&self, limit: u32) -> u32 {
-        let primitives = self.primitives.clamp(1, self.most);
-        let row = f64::from(self.width) * f64::from(primitives);
+        let steps = self.primitives.clamp(1, self.most).max(self.lights);
+        let row = f64::from(self.width) * f64::from(steps);
         let rows = (self.budget() / row) as u32;
         (rows / WORKGROUP_ROWS * WORKGROUP_ROWS)
             .max(WORKGROUP_ROWS)
@@ -85,7 +89,7 @@ mod tests {
     #[test]
     fn a_dispatch_nears_its_time_and_keeps_its_bound() {
         // A device that does a thousand million tests a second.
-        let mut pace = Pace::new([1000, 1000], 10_000_000, 60_000);
+        let mut pace = Pace::new([1000, 1000], 10_000_000, 1, 60_000);
         let mut seconds = 0.0;
         for _ in 0..20 {
             let pixels = 1000 * pace.rows(1000);
@@ -95,5 +99,11 @@ mod tests {
             pace.learn(pixels, primitives, Duration::from_secs_f64(seconds));
         }
         assert!((0.04..0.11).contains(&seconds), "{seconds} s");
+    }
+    /// Shading is one dispatch a tile, however many the lights.
+    #[test]
+    fn many_lights_make_small_tiles() {
+        let rows = |lights| Pace::new([1000, 1000], 1, lights, 60_000).rows(1000);
+        assert!(rows(1) > 100 && rows(10_000) == WORKGROUP_ROWS);
     }
 }

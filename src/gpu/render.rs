@@ -74,6 +74,7 @@ pub fn render(
     let mut pace = Pace::new(
         flat.size,
         flat.primitives(),
+        flat.lights.len() as u32,
         portions.primitives_per_dispatch,
     );
     let mut first_row = 0;
