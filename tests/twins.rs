@@ -5,15 +5,13 @@ use std::fs;
 use std::path::Path;
 
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 5] = [
+const WITHOUT_TWIN: [(&str, &str); 4] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
     // The CPU traces a pixel in one call, the GPU a tile in two dispatches.
     ("trace", "trace_pixel"),
     ("trace", "trace_tile"),
     ("trace", "shade_tile"),
-    // Data, not arithmetic.
-    ("mod", ""),
 ];
 
 /// The functions of a file at its outermost level, in order.

@@ -12,7 +12,7 @@ use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
 use rayproof::render::{Accuracy, Backend};
 use rayproof::scene::Scene;
-use rayproof::scene::mesh::Builtin;
+use rayproof::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
 use rayproof::scene::parse::{self, Loaded};
 use rayproof::scene::policy::Policy;
 
@@ -178,7 +178,7 @@ pub(super) struct MeshArguments {
     pub(super) name: Builtin,
     /// The wished number of triangles, 4 to 10 million
     #[arg(long, value_name = "N",
-          value_parser = clap::value_parser!(u32).range(4..=i64::from(rayproof::scene::mesh::MAX_DETAIL)))]
+          value_parser = clap::value_parser!(u32).range(i64::from(MIN_DETAIL)..=i64::from(MAX_DETAIL)))]
     pub(super) detail: Option<u32>,
     /// The OBJ file to write
     #[arg(long, short)]
