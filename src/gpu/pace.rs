@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use super::stage::WORKGROUP;
+
 /// How long a dispatch should take: long enough that starting it costs little,
 /// short enough to be smooth and far from any watchdog.
 const DISPATCH_TIME: Duration = Duration::from_millis(75);
@@ -11,9 +13,6 @@ const FIRST_GUESS: f64 = 1e7;
 
 /// Primitives of a dispatch at least; fewer would not pay for starting it.
 const FEWEST: u32 = 256;
-
-/// Rows of a workgroup; a tile of fewer leaves lanes idle.
-const WORKGROUP_ROWS: u32 = 8;
 
 /// The pace of one render.
 #[derive(Debug)]
@@ -51,9 +50,8 @@ impl Pace {
         let steps = self.primitives.clamp(1, self.most).max(self.lights);
         let row = f64::from(self.width) * f64::from(steps);
         let rows = (self.budget() / row) as u32;
-        (rows / WORKGROUP_ROWS * WORKGROUP_ROWS)
-            .max(WORKGROUP_ROWS)
-            .min(limit)
+        // A tile of fewer rows than a workgroup leaves lanes idle.
+        (rows / WORKGROUP * WORKGROUP).max(WORKGROUP).min(limit)
     }
 
     /// Primitives of the next dispatch over this many pixels.
@@ -104,6 +102,6 @@ mod tests {
     #[test]
     fn many_lights_make_small_tiles() {
         let rows = |lights| Pace::new([1000, 1000], 1, lights, 60_000).rows(1000);
-        assert!(rows(1) > 100 && rows(10_000) == WORKGROUP_ROWS);
+        assert!(rows(1) > 100 && rows(10_000) == WORKGROUP);
     }
 }
