@@ -1,6 +1,9 @@
 // A scene without disks.
 
-fn closest_disk(ray: Ray, hit: ptr<function, Hit>) {
+fn test_disk(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+}
+
+fn closest_disk(probe: Probe, hit: ptr<function, Hit>) {
 }
 
 fn disk_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

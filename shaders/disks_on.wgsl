@@ -2,10 +2,20 @@
 
 @group(2) @binding(3) var<storage, read> disks: array<Disk>;
 
+// Tests one disk, by its index, within its own box.
+fn test_disk(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+    let disk = disks[index];
+    var t = intersect_disk(probe.ray, disk);
+    if t < MISS {
+        t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(disk.center), f32(disk.radius)), t);
+    }
+    keep_nearer(hit, t, dispatch.disks.first_id + index);
+}
+
 // Tests every disk of the dispatch.
-fn closest_disk(ray: Ray, hit: ptr<function, Hit>) {
+fn closest_disk(probe: Probe, hit: ptr<function, Hit>) {
     for (var i = dispatch.disks.begin; i < dispatch.disks.end; i++) {
-        keep_nearer(hit, intersect_disk(ray, disks[i]), dispatch.disks.first_id + i);
+        test_disk(probe, i, hit);
     }
 }
 

@@ -25,11 +25,11 @@ fn no_hit() -> Hit {
     return Hit(MISS, NO_HIT, 0u);
 }
 
-// Counts a test and keeps its hit if it is nearer. Primitives are tested in
-// order of their ids, so of two hits at the same t the lower id stays.
+// Counts a test and keeps its hit if it is nearer. Of two hits at the same t the
+// lower id stays, so the order of the tests does not matter.
 fn keep_nearer(hit: ptr<function, Hit>, t: real, id: u32) {
     (*hit).tests += 1u;
-    if t < (*hit).t {
+    if t < (*hit).t || (t == (*hit).t && id < (*hit).id && t < MISS) {
         (*hit).t = t;
         (*hit).id = id;
     }

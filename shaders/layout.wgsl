@@ -36,6 +36,17 @@ struct CornerNormals {
     c: vec3<f32>,
 }
 
+struct Pair {
+    left_low: vec3<f32>,
+    left: u32,
+    left_high: vec3<f32>,
+    left_count: u32,
+    right_low: vec3<f32>,
+    right: u32,
+    right_high: vec3<f32>,
+    right_count: u32,
+}
+
 struct MaterialRecord {
     albedo: vec3<f32>,
 }
@@ -87,9 +98,9 @@ struct Pixel {
 
 @group(0) @binding(0) var<uniform> dispatch: Dispatch;
 @group(0) @binding(1) var<uniform> camera: Camera;
-@group(0) @binding(2) var<storage, read_write> closest_t: array<real>;
-@group(0) @binding(3) var<storage, read_write> pixels: array<Pixel>;
-@group(0) @binding(4) var<uniform> surroundings: Surroundings;
+@group(0) @binding(2) var<storage, read_write> pixels: array<Pixel>;
+@group(0) @binding(3) var<uniform> surroundings: Surroundings;
 @group(1) @binding(0) var<storage, read> materials: array<MaterialRecord>;
 @group(1) @binding(1) var<storage, read> lights: array<LightRecord>;
-@group(2) @binding(0) var<storage, read> material_indices: array<u32>;
+// The material of each primitive, then the primitives of the tree's leaves.
+@group(2) @binding(0) var<storage, read> indices: array<u32>;

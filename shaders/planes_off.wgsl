@@ -1,6 +1,6 @@
 // A scene without planes.
 
-fn closest_plane(ray: Ray, hit: ptr<function, Hit>) {
+fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
 }
 
 fn plane_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

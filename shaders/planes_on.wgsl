@@ -3,9 +3,9 @@
 @group(2) @binding(2) var<storage, read> planes: array<Plane>;
 
 // Tests every plane of the dispatch.
-fn closest_plane(ray: Ray, hit: ptr<function, Hit>) {
+fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
     for (var i = dispatch.planes.begin; i < dispatch.planes.end; i++) {
-        let t = intersect_plane(ray, planes[i].point, planes[i].normal);
+        let t = intersect_plane(probe.ray, planes[i].point, planes[i].normal);
         keep_nearer(hit, t, dispatch.planes.first_id + i);
     }
 }

@@ -1,6 +1,9 @@
 // A scene without spheres.
 
-fn closest_sphere(ray: Ray, hit: ptr<function, Hit>) {
+fn test_sphere(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+}
+
+fn closest_sphere(probe: Probe, hit: ptr<function, Hit>) {
 }
 
 fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

@@ -2,10 +2,20 @@
 
 @group(2) @binding(1) var<storage, read> spheres: array<Sphere>;
 
+// Tests one sphere, by its index, within its own box.
+fn test_sphere(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+    let sphere = spheres[index];
+    var t = intersect_sphere(probe.ray, sphere);
+    if t < MISS {
+        t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(sphere.center), f32(sphere.radius)), t);
+    }
+    keep_nearer(hit, t, dispatch.spheres.first_id + index);
+}
+
 // Tests every sphere of the dispatch.
-fn closest_sphere(ray: Ray, hit: ptr<function, Hit>) {
+fn closest_sphere(probe: Probe, hit: ptr<function, Hit>) {
     for (var i = dispatch.spheres.begin; i < dispatch.spheres.end; i++) {
-        keep_nearer(hit, intersect_sphere(ray, spheres[i]), dispatch.spheres.first_id + i);
+        test_sphere(probe, i, hit);
     }
 }
 

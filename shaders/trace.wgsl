@@ -1,16 +1,8 @@
 // One invocation a pixel: from its ray to its colour.
 //
 // A tile is a band of rows. It takes one dispatch of `trace_tile` for each run
-// of primitives, with the closest hit carried in `closest_t` and `pixels`, and
+// of primitives, with the closest hit carried in `pixels` (t in place of the depth), and
 // one dispatch of `shade_tile` for each set of buffers that primitives lie in.
-
-// The nearest of all primitives of the dispatch, in order of their ids.
-fn closest_hit(ray: Ray, hit: ptr<function, Hit>) {
-    closest_sphere(ray, hit);
-    closest_plane(ray, hit);
-    closest_disk(ray, hit);
-    closest_triangle(ray, hit);
-}
 
 // What the ray sees at its hit, a primitive of the bound buffers.
 fn shade_hit(ray: Ray, hit: Hit) -> Pixel {
@@ -19,7 +11,7 @@ fn shade_hit(ray: Ray, hit: Hit) -> Pixel {
     plane_surface(ray, hit, &surface);
     disk_surface(ray, hit, &surface);
     triangle_surface(ray, hit, &surface);
-    let material = materials[material_indices[hit.id - dispatch.first_id]];
+    let material = materials[indices[hit.id - dispatch.first_id]];
     let depth = f32(hit.t * vector_length(ray.direction));
     let color = scattered_light(surface, material.albedo);
     return Pixel(color, depth, surface.normal, hit.id, surface.position, hit.tests);
@@ -41,10 +33,11 @@ fn trace_tile(@builtin(global_invocation_id) at: vec3<u32>) {
     let index = at.y * dispatch.size.x + at.x;
     var hit = no_hit();
     if dispatch.fresh == 0u {
-        hit = Hit(closest_t[index], pixels[index].id, pixels[index].tests);
+        hit = Hit(pixels[index].depth, pixels[index].id, pixels[index].tests);
     }
-    closest_hit(camera_ray(dispatch.size, at.x, dispatch.first_row + at.y), &hit);
-    closest_t[index] = hit.t;
+    let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
+    closest_hit(probe_of(ray), &hit);
+    pixels[index].depth = hit.t;
     pixels[index].id = hit.id;
     pixels[index].tests = hit.tests;
 }
@@ -57,7 +50,7 @@ fn shade_tile(@builtin(global_invocation_id) at: vec3<u32>) {
         return;
     }
     let index = at.y * dispatch.size.x + at.x;
-    let hit = Hit(closest_t[index], pixels[index].id, pixels[index].tests);
+    let hit = Hit(pixels[index].depth, pixels[index].id, pixels[index].tests);
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
     if hit.id == NO_HIT {
         pixels[index] = shade_miss(ray, hit);

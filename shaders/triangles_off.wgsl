@@ -1,6 +1,17 @@
 // A scene without triangles.
 
-fn closest_triangle(ray: Ray, hit: ptr<function, Hit>) {
+struct Shear {
+    unused: u32,
+}
+
+fn shear_of(ray: Ray) -> Shear {
+    return Shear(0u);
+}
+
+fn test_triangle(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+}
+
+fn closest_triangle(probe: Probe, hit: ptr<function, Hit>) {
 }
 
 fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

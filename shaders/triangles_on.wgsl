@@ -2,12 +2,20 @@
 
 @group(2) @binding(4) var<storage, read> triangles: array<Triangle>;
 
+// Tests one triangle, by its index, within its own box.
+fn test_triangle(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+    let triangle = triangles[index];
+    var t = intersect_triangle(probe.ray, probe.shear, triangle);
+    if t < MISS {
+        t = clamp_to_box(probe.slabs, triangle_box(vec3<f32>(triangle.a), vec3<f32>(triangle.b), vec3<f32>(triangle.c)), t);
+    }
+    keep_nearer(hit, t, dispatch.triangles.first_id + index);
+}
+
 // Tests every triangle of the dispatch.
-fn closest_triangle(ray: Ray, hit: ptr<function, Hit>) {
-    let shear = shear_of(ray);
+fn closest_triangle(probe: Probe, hit: ptr<function, Hit>) {
     for (var i = dispatch.triangles.begin; i < dispatch.triangles.end; i++) {
-        let t = intersect_triangle(ray, shear, triangles[i]);
-        keep_nearer(hit, t, dispatch.triangles.first_id + i);
+        test_triangle(probe, i, hit);
     }
 }
 

@@ -34,6 +34,8 @@ const ALWAYS: &[Source] = &[
     file!("layout.wgsl"),
     file!("vector.wgsl"),
     file!("camera.wgsl"),
+    file!("aabb.wgsl"),
+    file!("probe.wgsl"),
     file!("hit.wgsl"),
     file!("background.wgsl"),
     file!("lambert.wgsl"),
@@ -75,6 +77,12 @@ pub const EFFECTS: &[Effect] = &[
         called_for: |counts| counts.triangles > 0,
         on: &[file!("triangle.wgsl"), file!("triangles_on.wgsl")],
         off: &[file!("triangles_off.wgsl")],
+    },
+    Effect {
+        name: "tree",
+        called_for: |counts| counts.pairs > 0,
+        on: &[file!("tree_on.wgsl")],
+        off: &[file!("tree_off.wgsl")],
     },
     Effect {
         name: "smooth normals",

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::layout::{
-    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
-    Triangle,
+    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Pair, Plane, Sphere,
+    Surroundings, Triangle,
 };
 
 /// A scene as the tracers read it.
@@ -35,6 +35,10 @@ pub struct Flat<R> {
     pub triangles: Vec<Triangle<R>>,
     /// The corner normals of each triangle; empty where no triangle has any.
     pub corner_normals: Vec<CornerNormals>,
+    /// The tree's inner nodes, the root first; empty where there is no tree.
+    pub pairs: Vec<Pair>,
+    /// The primitives of the tree's leaves.
+    pub leaf_ids: Vec<u32>,
 }
 
 impl<R> Flat<R> {
@@ -67,10 +71,26 @@ impl<R> Flat<R> {
             disks: self.disks.len(),
             triangles: self.triangles.len(),
             corner_normals: self.corner_normals.len(),
+            pairs: self.pairs.len(),
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
         }
+    }
+
+    /// Bytes of the largest array of primitives or of tree nodes.
+    pub fn largest_array(&self) -> u64 {
+        let indices = self.material_indices.len() + self.leaf_ids.len();
+        let sizes = [
+            indices * size_of::<u32>(),
+            size_of_val(self.spheres.as_slice()),
+            size_of_val(self.planes.as_slice()),
+            size_of_val(self.disks.as_slice()),
+            size_of_val(self.triangles.as_slice()),
+            size_of_val(self.corner_normals.as_slice()),
+            size_of_val(self.pairs.as_slice()),
+        ];
+        sizes.into_iter().max().unwrap_or(0) as u64
     }
 
     /// Bytes of all the arrays.
@@ -84,7 +104,9 @@ impl<R> Flat<R> {
             + size_of_val(self.planes.as_slice())
             + size_of_val(self.disks.as_slice())
             + size_of_val(self.triangles.as_slice())
-            + size_of_val(self.corner_normals.as_slice());
+            + size_of_val(self.corner_normals.as_slice())
+            + size_of_val(self.pairs.as_slice())
+            + size_of_val(self.leaf_ids.as_slice());
         bytes as u64
     }
 
@@ -108,6 +130,8 @@ pub struct Counts {
     /// Triangles that may have smooth normals: all or none.
     #[serde(skip)]
     pub corner_normals: usize,
+    /// Inner nodes of the tree.
+    pub pairs: usize,
     /// Point lights.
     pub point_lights: usize,
     /// Directional lights.

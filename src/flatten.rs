@@ -38,6 +38,8 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
         disks: Vec::new(),
         triangles: Vec::new(),
         corner_normals: Vec::new(),
+        pairs: Vec::new(),
+        leaf_ids: Vec::new(),
     };
     for material in &scene.materials {
         flat.materials.push(MaterialRecord {

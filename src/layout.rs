@@ -147,6 +147,26 @@ records! {
         padding_2: f32,
     }
 
+    /// An inner node of the tree: the boxes of its two children, and what they are.
+    Pair {
+        /// The left child's box.
+        left_low: [f32; 3],
+        /// The left child: the index of its pair, or of its first leaf id.
+        left: u32,
+        /// The left child's box.
+        left_high: [f32; 3],
+        /// How many leaf ids the left child has; 0 where it is a pair.
+        left_count: u32,
+        /// The right child's box.
+        right_low: [f32; 3],
+        /// As `left`.
+        right: u32,
+        /// The right child's box.
+        right_high: [f32; 3],
+        /// As `left_count`.
+        right_count: u32,
+    }
+
     /// How a surface answers light.
     MaterialRecord {
         /// Linear, per channel.

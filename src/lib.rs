@@ -20,6 +20,7 @@
 //! # Ok::<(), rayproof::Error>(())
 //! ```
 
+pub mod bounds;
 pub mod compare;
 pub mod cpu;
 pub mod effects;

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use crate::bounds::{self, Bounds};
 use crate::effects::effects_of;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -13,6 +14,7 @@ use crate::frame::Frame;
 use crate::gpu::device::Gpu;
 use crate::gpu::render::Portions;
 use crate::kernel::real::Real;
+use crate::kernel::tree::GIVEN_UP;
 use crate::layout::{NO_HIT, Pixel};
 use crate::scene::Scene;
 use crate::watch::Watch;
@@ -70,6 +72,24 @@ pub enum Accuracy {
     Double,
 }
 
+/// How to render.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// Formulas and width of the geometry.
+    pub accuracy: Accuracy,
+    /// Bounding volumes; they change the time, never the picture.
+    pub bounds: Bounds,
+}
+
+impl From<Accuracy> for Settings {
+    fn from(accuracy: Accuracy) -> Self {
+        Self {
+            accuracy,
+            ..Self::default()
+        }
+    }
+}
+
 /// A picture and how it came about.
 #[derive(Debug, Clone)]
 pub struct Rendering {
@@ -97,7 +117,7 @@ pub struct Stats {
     /// Formulas and width.
     pub accuracy: Accuracy,
     /// The bounding volumes in use.
-    pub bounds: &'static str,
+    pub bounds: Bounds,
     /// What the scene calls for.
     pub effects: Vec<&'static str>,
     /// Spheres, planes, disks and triangles.
@@ -106,7 +126,7 @@ pub struct Stats {
     pub seconds: f64,
     /// The part of it in which rays were traced, upload and download included.
     pub trace_ms: f64,
-    /// The part of it in which the scene was flattened.
+    /// The part of it in which the bounding volumes were built.
     pub build_ms: f64,
     /// Rays traced.
     pub rays: u64,
@@ -141,23 +161,24 @@ pub struct Stats {
 pub fn render(
     scene: &Scene,
     backend: &Backend,
-    accuracy: Accuracy,
+    settings: impl Into<Settings>,
     watch: &dyn Watch,
 ) -> Result<Rendering> {
     scene.validate()?;
-    match (backend, accuracy) {
+    let settings = settings.into();
+    match (backend, settings.accuracy) {
         (Backend::Cpu(threads), Accuracy::Robust) => {
-            run::<f32>(scene, backend, accuracy, &mut |flat, keep| {
+            run::<f32>(scene, backend, settings, &mut |flat, keep| {
                 cpu::render(flat, *threads, watch, keep)
             })
         }
         (Backend::Cpu(threads), Accuracy::Double) => {
-            run::<f64>(scene, backend, accuracy, &mut |flat, keep| {
+            run::<f64>(scene, backend, settings, &mut |flat, keep| {
                 cpu::render(flat, *threads, watch, keep)
             })
         }
         (Backend::Gpu(gpu), Accuracy::Robust) => {
-            run::<f32>(scene, backend, accuracy, &mut |flat, keep| {
+            run::<f32>(scene, backend, settings, &mut |flat, keep| {
                 trace_on_gpu(gpu, flat, watch, keep)
             })
         }
@@ -170,19 +191,28 @@ pub fn render(
 /// Takes rows of pixels, with the number of their first row.
 type KeepRows<'a> = dyn FnMut(u32, &[Pixel]) + 'a;
 
+/// Traces a flattened scene.
+type Trace<'a, R> = dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()> + 'a;
+
 /// Flattens, traces and collects, in one width.
 fn run<R: Real>(
     scene: &Scene,
     backend: &Backend,
-    accuracy: Accuracy,
-    trace: &mut dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()>,
+    settings: Settings,
+    trace: &mut Trace<'_, R>,
 ) -> Result<Rendering> {
     let started = Instant::now();
-    let flat = flatten::<R>(scene);
-    let build_ms = milliseconds(started);
+    let mut flat = flatten::<R>(scene);
+    let build_started = Instant::now();
+    bounds::bound(&mut flat, settings.bounds);
+    let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
-    trace(&flat, &mut |row, pixels| keep_rows(&mut frame, row, pixels))?;
+    if !trace_and_keep(&flat, trace, &mut frame)? {
+        tracing::warn!("some rays meet too many volumes: tracing without volumes");
+        bounds::bound(&mut flat, Bounds::None);
+        trace_and_keep(&flat, trace, &mut frame)?;
+    }
     let trace_ms = milliseconds(trace_started);
     let rays = u64::from(frame.width) * u64::from(frame.height);
     let adapter = match backend {
@@ -196,8 +226,8 @@ fn run<R: Real>(
         width: frame.width,
         height: frame.height,
         samples: 1,
-        accuracy,
-        bounds: "none",
+        accuracy: settings.accuracy,
+        bounds: settings.bounds,
         effects: effects_of(&flat.counts()),
         primitives: flat.primitives(),
         seconds: started.elapsed().as_secs_f64(),
@@ -208,6 +238,20 @@ fn run<R: Real>(
         device_bytes: flat.bytes(),
     };
     Ok(Rendering { frame, stats })
+}
+
+/// Traces all rays; `false` if some were given up on their way through a tree.
+fn trace_and_keep<R: Real>(
+    flat: &Flat<R>,
+    trace: &mut Trace<'_, R>,
+    frame: &mut Frame,
+) -> Result<bool> {
+    let mut complete = true;
+    trace(flat, &mut |row, pixels| {
+        complete &= pixels.iter().all(|pixel| pixel.tests != GIVEN_UP);
+        keep_rows(frame, row, pixels);
+    })?;
+    Ok(complete)
 }
 
 /// Traces on the GPU; a device that is lost on the way is opened anew, once.

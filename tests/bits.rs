@@ -5,14 +5,14 @@ mod common;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use common::{assert_same_bits, compare, gpu, on_cpu, on_gpu, scene};
+use common::{BRUTE_FORCE, assert_same_bits, compare, gpu, on_cpu, on_gpu, scene};
 use glam::{DMat3, DVec3};
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::layout::Pixel;
 use rayproof::scene::mesh::{Builtin, build};
 use rayproof::scene::{Falloff, Geometry, Light, MAX_LIGHTS, Material, Shape, Transform};
-use rayproof::{Accuracy, Backend, Error, Scene, Unwatched, Watch};
+use rayproof::{Backend, Error, Scene, Unwatched, Watch};
 
 #[test]
 fn seed_spheres() {
@@ -234,7 +234,7 @@ fn a_lost_device_is_opened_anew() {
         backend: &backend,
         calls: AtomicUsize::new(0),
     };
-    let frame = rayproof::render(&scene, &backend, Accuracy::Robust, &watch)
+    let frame = rayproof::render(&scene, &backend, BRUTE_FORCE, &watch)
         .unwrap()
         .frame;
     assert_same_bits(&frame, &on_cpu(&scene));
@@ -281,7 +281,7 @@ fn a_render_can_be_cancelled() {
     let scene = mesh_scene(Builtin::Icosphere, 20_000, 64);
     for backend in [Backend::Cpu(None), Backend::Gpu(Box::new(gpu()))] {
         let watch = Impatient(AtomicUsize::new(0));
-        let outcome = rayproof::render(&scene, &backend, Accuracy::Robust, &watch);
+        let outcome = rayproof::render(&scene, &backend, BRUTE_FORCE, &watch);
         assert!(matches!(outcome, Err(Error::Interrupted)));
     }
 }

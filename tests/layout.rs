@@ -31,6 +31,7 @@ fn host_structs_lie_as_the_shaders_read_them() {
         mismatch::<Disk<f32>>(&program),
         mismatch::<Triangle<f32>>(&program),
         mismatch::<CornerNormals>(&program),
+        mismatch::<Pair>(&program),
         mismatch::<MaterialRecord>(&program),
         mismatch::<LightRecord>(&program),
         mismatch::<Surroundings>(&program),
@@ -52,7 +53,7 @@ fn no_struct_is_left_out() {
         text.lines()
             .filter(|line| line.starts_with("struct "))
             .count(),
-        12
+        13
     );
 }
 
@@ -103,17 +104,17 @@ fn bindings_are_these() {
     let expected = [
         ("dispatch", 0, 0, Access::Uniform),
         ("camera", 0, 1, Access::Uniform),
-        ("closest_t", 0, 2, Access::Write),
-        ("pixels", 0, 3, Access::Write),
-        ("surroundings", 0, 4, Access::Uniform),
+        ("pixels", 0, 2, Access::Write),
+        ("surroundings", 0, 3, Access::Uniform),
         ("materials", 1, 0, Access::Read),
         ("lights", 1, 1, Access::Read),
-        ("material_indices", 2, 0, Access::Read),
+        ("indices", 2, 0, Access::Read),
         ("spheres", 2, 1, Access::Read),
         ("planes", 2, 2, Access::Read),
         ("disks", 2, 3, Access::Read),
         ("triangles", 2, 4, Access::Read),
         ("corner_normals", 2, 5, Access::Read),
+        ("pairs", 2, 6, Access::Read),
     ]
     .map(|(name, group, binding, access)| Binding {
         name: name.to_string(),
@@ -152,6 +153,9 @@ fn every_combination_of_effects_compiles() {
         let bound = |name: &str| program.bindings.iter().any(|binding| binding.name == name);
         for name in own {
             assert_eq!(bound(name), on(name), "{name} in combination {choice:b}");
+        }
+        if on("tree") {
+            assert!(bound("pairs"));
         }
         assert_eq!(
             bound("lights"),

@@ -3,129 +3,14 @@
 mod common;
 
 use common::gpu;
-use glam::{DMat3, DVec3, EulerRot};
+use common::random::random_scene;
+use rayproof::Unwatched;
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
 use rayproof::gpu::device::Gpu;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::kernel::trace::trace_pixel;
 use rayproof::layout::Pixel;
-use rayproof::scene::mesh::{Builtin, build};
-use rayproof::scene::*;
-use rayproof::{Scene, Unwatched};
-
-/// A fixed sequence of numbers, so that a failure can be repeated.
-struct Numbers(u64);
-
-impl Numbers {
-    /// Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
-    /// OOPSLA 2014: SplitMix64.
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly from `low` to `high`.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn vector(&mut self, reach: f64) -> DVec3 {
-        DVec3::from_array([0; 3].map(|_| self.between(-reach, reach)))
-    }
-
-    fn color(&mut self) -> Rgb {
-        [0; 3].map(|_| self.between(0.0, 1.0))
-    }
-}
-
-/// Shapes of every kind around the camera, all lengths times `scale`.
-fn random_scene(seed: u64, scale: f64) -> Scene {
-    let mut n = Numbers(seed);
-    let at = |n: &mut Numbers| n.vector(6.0 * scale);
-    let mut shapes = Vec::new();
-    for index in 0..30 {
-        let geometry = match index % 6 {
-            0 | 1 => Geometry::Sphere {
-                center: at(&mut n),
-                radius: n.between(0.01, 2.0) * scale,
-            },
-            2 => Geometry::Plane {
-                point: at(&mut n),
-                normal: n.vector(1.0),
-            },
-            3 => Geometry::Disk {
-                center: at(&mut n),
-                normal: n.vector(1.0),
-                radius: n.between(0.01, 2.0) * scale,
-            },
-            4 => Geometry::Triangle {
-                vertices: [at(&mut n), at(&mut n), at(&mut n)],
-            },
-            _ => Geometry::Mesh(std::sync::Arc::new(build(Builtin::ALL[index % 5], 100))),
-        };
-        let turn = DMat3::from_euler(
-            EulerRot::XYZ,
-            n.between(-3.0, 3.0),
-            n.between(-3.0, 3.0),
-            n.between(-3.0, 3.0),
-        );
-        let linear = match geometry {
-            Geometry::Mesh(_) => turn * DMat3::from_diagonal(n.vector(1.0) * scale),
-            _ => turn,
-        };
-        let translate = n.vector(scale);
-        let transform = Transform { linear, translate };
-        shapes.push(Shape {
-            geometry,
-            transform,
-            material: index % 5,
-        });
-    }
-    let directional = Light::Directional {
-        direction: n.vector(1.0),
-        color: n.color(),
-    };
-    let falloff = if seed.is_multiple_of(2) {
-        Falloff::None
-    } else {
-        Falloff::InverseSquare
-    };
-    let point = Light::Point {
-        position: at(&mut n),
-        color: n.color(),
-        falloff,
-    };
-    Scene {
-        camera: Camera {
-            eye: at(&mut n),
-            target: at(&mut n),
-            up: n.vector(1.0),
-            fov_degrees: n.between(5.0, 150.0),
-            sampling: PixelSampling::Center,
-        },
-        background: Background {
-            from: n.color(),
-            to: n.color(),
-            offset: n.between(-1.0, 1.0),
-            slope: n.between(-1.0, 1.0),
-        },
-        ambient: n.color(),
-        lights: vec![directional, point],
-        materials: (0..5)
-            .map(|index| Material {
-                name: index.to_string(),
-                albedo: n.color(),
-            })
-            .collect(),
-        shapes,
-        ..Scene::default()
-    }
-    .with_size(61, 47)
-}
 
 fn gpu_pixels(gpu: &Gpu, flat: &Flat<f32>) -> Vec<Pixel> {
     let mut pixels = Vec::new();

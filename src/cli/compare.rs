@@ -12,7 +12,7 @@ use rayproof::compare::{
 };
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, read_image};
-use rayproof::render::{Accuracy, Backend, render};
+use rayproof::render::{Backend, Settings, render};
 use rayproof::scene::Image;
 
 /// What a device is held to that may contract or reorder sums, where the
@@ -43,7 +43,10 @@ pub(super) fn run(arguments: &CompareArguments, common: &Common) -> Result<Outco
         }
         frame::check_writable(output)?;
     }
-    let is_scene = |path: &Path| path.extension().is_some_and(|ending| ending == "toml");
+    let is_scene = |path: &Path| {
+        path.extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
+    };
     let comparison = match &arguments.right {
         None if is_scene(&arguments.left) => scenes(arguments, &arguments.left, common)?,
         Some(right) if is_scene(&arguments.left) && is_scene(right) => {
@@ -92,16 +95,20 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
             otherwise.different_pixels
         );
     }
+    let settings = Settings {
+        bounds: place.bounds(),
+        ..Settings::default()
+    };
     let tolerance = arguments.tolerance(otherwise);
     let backend = Backend::Gpu(Box::new(gpu));
     let name = format!("{} on {}", arguments.left.display(), backend.describe());
     let progress = Progress::new(common, name.clone());
-    let on_gpu = render(&left_scene, &backend, Accuracy::Robust, &progress)?;
+    let on_gpu = render(&left_scene, &backend, settings, &progress)?;
     drop(progress);
     let cpu = Backend::Cpu(place.threads);
     let cpu_name = format!("{} on {}", right.display(), cpu.describe());
     let progress = Progress::new(common, cpu_name.clone());
-    let on_cpu = render(&right_scene, &cpu, Accuracy::Robust, &progress)?;
+    let on_cpu = render(&right_scene, &cpu, settings, &progress)?;
     drop(progress);
     let mut comparison = compare_frames(&on_gpu.frame, &on_cpu.frame, &tolerance)?;
     comparison.left = name;

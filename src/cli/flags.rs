@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use rayproof::bounds::Bounds;
 use rayproof::compare::Tolerance;
 use rayproof::cpu::MAX_THREADS;
 use rayproof::error::{Error, Result};
 use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
-use rayproof::render::{Accuracy, Backend};
+use rayproof::render::{Accuracy, Backend, Settings};
 use rayproof::scene::Scene;
 use rayproof::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
 use rayproof::scene::parse::{self, Loaded};
@@ -109,6 +110,9 @@ pub(super) struct PlaceFlags {
     /// Threads of the CPU path; one for each core if not given
     #[arg(long, value_name = "N", value_parser = parse_threads)]
     pub(super) threads: Option<NonZeroUsize>,
+    /// Bounding volumes; they change the time, never the picture
+    #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
+    pub(super) bounds: BoundsChoice,
     #[command(flatten)]
     pub(super) policy: PolicyFlags,
 }
@@ -131,6 +135,14 @@ pub(super) enum BackendChoice {
     Gpu,
     /// The CPU reference path
     Cpu,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum BoundsChoice {
+    /// Brute force: every ray tests every primitive
+    None,
+    /// A bounding volume hierarchy
+    Tree,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -172,6 +184,7 @@ pub(super) struct CheckArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = meshes())]
 pub(super) struct MeshArguments {
     /// The built-in mesh: teapot, icosphere, knot, terrain, box or tetrahedron
     #[arg(value_parser = parse_builtin)]
@@ -215,6 +228,14 @@ impl TracingFlags {
         }
     }
 
+    /// How to render.
+    pub(super) fn settings(&self) -> Settings {
+        Settings {
+            accuracy: self.accuracy(),
+            bounds: self.place.bounds(),
+        }
+    }
+
     /// The accuracy asked for.
     pub(super) fn accuracy(&self) -> Accuracy {
         match self.accuracy {
@@ -225,6 +246,14 @@ impl TracingFlags {
 }
 
 impl PlaceFlags {
+    /// The volumes asked for.
+    pub(super) fn bounds(&self) -> Bounds {
+        match self.bounds {
+            BoundsChoice::None => Bounds::None,
+            BoundsChoice::Tree => Bounds::Tree,
+        }
+    }
+
     /// Opens the GPU adapter asked for.
     ///
     /// # Errors
@@ -311,4 +340,10 @@ fn parse_builtin(text: &str) -> Result<Builtin, String> {
         let names = Builtin::ALL.map(Builtin::name).join(", ");
         format!("there is no built-in mesh `{text}`; there are {names}")
     })
+}
+
+/// The built-in meshes, for `--help`.
+fn meshes() -> String {
+    let rows = Builtin::ALL.map(|mesh| format!("  {:12} {}\n", mesh.name(), mesh.describe()));
+    format!("Meshes:\n{}", rows.concat())
 }

@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     tracing::info!("rendering on {}", backend.describe());
 
     let progress = Progress::new(common, format!("{}", arguments.scene.display()));
-    let rendering = render(&scene, &backend, arguments.tracing.accuracy(), &progress)?;
+    let rendering = render(&scene, &backend, arguments.tracing.settings(), &progress)?;
     drop(progress);
     let broken = rendering.frame.non_finite_pixels();
     if broken > 0 {

@@ -60,6 +60,24 @@ pub fn render(
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
+    // A tree leads anywhere, so all that it leads to must be bound at once.
+    let plain;
+    let flat = if flat.pairs.is_empty() || flat.largest_array() <= portions.binding_bytes {
+        flat
+    } else {
+        tracing::warn!(
+            "the scene needs {} bytes in one buffer, more than the {} that this device binds: \
+             tracing without volumes",
+            flat.largest_array(),
+            portions.binding_bytes
+        );
+        plain = Flat {
+            pairs: Vec::new(),
+            leaf_ids: Vec::new(),
+            ..flat.clone()
+        };
+        &plain
+    };
     let program = Program::build(&shader_files(&flat.counts(), gpu.arithmetic.divide_file()))?;
     let kernel = gpu.compile(&program)?;
     let windows = Window::split(flat, portions.binding_bytes);
@@ -81,7 +99,9 @@ pub fn render(
     while first_row < flat.size[1] {
         let rows = pace.rows(work.stage.max_rows).min(flat.size[1] - first_row);
         let pixels = work.trace(Tile { first_row, rows }, &mut pace, watch)?;
-        check_tests(&pixels, flat.primitives())?;
+        if flat.pairs.is_empty() {
+            check_tests(&pixels, flat.primitives())?;
+        }
         keep_rows(first_row, &pixels);
         first_row += rows;
     }
@@ -129,12 +149,21 @@ impl Work<'_> {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
-            let end = window.ids.end.min(begin.saturating_add(pace.chunk(pixels)));
+            let end = if self.flat.pairs.is_empty() {
+                window.ids.end.min(begin.saturating_add(pace.chunk(pixels)))
+            } else {
+                window.ids.end
+            };
             let orders = window.orders(self.flat, begin..end, tile);
             let started = Instant::now();
             self.stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", index, &orders)?;
-            pace.learn(pixels, end - begin, started.elapsed());
+            let tested = if self.flat.pairs.is_empty() {
+                end - begin
+            } else {
+                1
+            };
+            pace.learn(pixels, tested, started.elapsed());
             watch.progress(pace.done());
             begin = end;
             if begin >= window.ids.end {

@@ -140,13 +140,17 @@ fn upload_window(
     } else {
         window.triangles(flat)
     };
+    let materials = window.ids.start as usize..window.ids.end as usize;
+    let indices = [&flat.material_indices[materials], flat.leaf_ids.as_slice()].concat();
     Ok(HashMap::from([
-        upload_part(
-            gpu,
-            "material_indices",
-            &flat.material_indices,
-            window.ids.clone(),
-        )?,
+        (
+            "indices",
+            gpu.upload("indices", bytemuck::cast_slice(&indices))?,
+        ),
+        (
+            "pairs",
+            gpu.upload("pairs", bytemuck::cast_slice(&flat.pairs))?,
+        ),
         upload_part(gpu, "spheres", &flat.spheres, window.spheres(flat))?,
         upload_part(gpu, "planes", &flat.planes, window.planes(flat))?,
         upload_part(gpu, "disks", &flat.disks, window.disks(flat))?,

@@ -1,16 +1,32 @@
 //! All disks: which one is nearest, and what is found there.
 
+use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
 use super::disk::intersect_disk;
 use super::hit::{Hit, Surface, keep_nearer};
+use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
 use crate::flat::Flat;
 
+/// Tests one disk, by its index, within its own box.
+pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, index: u32, hit: &mut Hit<R>) {
+    let disk = &flat.disks[index as usize];
+    let mut t = intersect_disk(probe.ray, disk);
+    if t < R::MISS {
+        t = clamp_to_box(
+            probe.slabs,
+            ball_box(Vec3::from(disk.center).to_f32(), disk.radius.to_f32()),
+            t,
+        );
+    }
+    keep_nearer(hit, t, flat.first_disk() + index);
+}
+
 /// Tests every disk.
-pub fn closest_disk<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
-    for (disk, id) in flat.disks.iter().zip(flat.first_disk()..) {
-        keep_nearer(hit, intersect_disk(ray, disk), id);
+pub fn closest_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
+    for index in 0..flat.disks.len() as u32 {
+        test_disk(flat, probe, index, hit);
     }
 }
 

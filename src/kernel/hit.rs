@@ -33,11 +33,11 @@ pub fn no_hit<R: Real>() -> Hit<R> {
     }
 }
 
-/// Counts a test and keeps its hit if it is nearer. Primitives are tested in
-/// order of their ids, so of two hits at the same t the lower id stays.
+/// Counts a test and keeps its hit if it is nearer. Of two hits at the same t the
+/// lower id stays, so the order of the tests does not matter.
 pub fn keep_nearer<R: Real>(hit: &mut Hit<R>, t: R, id: u32) {
     hit.tests += 1;
-    if t < hit.t {
+    if t < hit.t || (t == hit.t && id < hit.id && t < R::MISS) {
         hit.t = t;
         hit.id = id;
     }

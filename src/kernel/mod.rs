@@ -9,6 +9,7 @@
 //! is f32 in every width, as in the shaders. [`trace`] is where to start
 //! reading.
 
+pub mod aabb;
 pub mod background;
 pub mod camera;
 pub mod directional_lights;
@@ -20,11 +21,13 @@ pub mod lambert;
 pub mod plane;
 pub mod planes;
 pub mod point_lights;
+pub mod probe;
 pub mod real;
 pub mod smooth_normals;
 pub mod sphere;
 pub mod spheres;
 pub mod trace;
+pub mod tree;
 pub mod triangle;
 pub mod triangles;
 pub mod vector;

@@ -3,14 +3,15 @@
 use super::camera::Ray;
 use super::hit::{Hit, Surface, keep_nearer};
 use super::plane::intersect_plane;
+use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
 use crate::flat::Flat;
 
 /// Tests every plane.
-pub fn closest_plane<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
+pub fn closest_plane<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     for (plane, id) in flat.planes.iter().zip(flat.first_plane()..) {
-        let t = intersect_plane(ray, Vec3::from(plane.point), Vec3::from(plane.normal));
+        let t = intersect_plane(probe.ray, Vec3::from(plane.point), Vec3::from(plane.normal));
         keep_nearer(hit, t, id);
     }
 }

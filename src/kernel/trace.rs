@@ -6,19 +6,25 @@ use super::disks::{closest_disk, disk_surface};
 use super::hit::{Hit, no_hit};
 use super::lambert::scattered_light;
 use super::planes::{closest_plane, plane_surface};
+use super::probe::{Probe, probe_of};
 use super::real::Real;
 use super::spheres::{closest_sphere, sphere_surface};
+use super::tree::closest_hit;
 use super::triangles::{closest_triangle, triangle_surface};
 use super::vector::{Vec3, vector_length};
 use crate::flat::Flat;
 use crate::layout::{NO_HIT, Pixel};
 
-/// The nearest of all primitives, in order of their ids.
-pub fn closest_hit<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
-    closest_sphere(flat, ray, hit);
-    closest_plane(flat, ray, hit);
-    closest_disk(flat, ray, hit);
-    closest_triangle(flat, ray, hit);
+/// The nearest of all primitives, by way of the tree where there is one.
+fn find_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
+    if flat.pairs.is_empty() {
+        closest_sphere(flat, probe, hit);
+        closest_plane(flat, probe, hit);
+        closest_disk(flat, probe, hit);
+        closest_triangle(flat, probe, hit);
+    } else {
+        closest_hit(flat, probe, hit);
+    }
 }
 
 /// What the ray sees at its hit, a primitive of the scene.
@@ -53,7 +59,7 @@ pub fn shade_miss<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
 pub fn trace_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Pixel {
     let ray = camera_ray(&flat.camera, flat.size, x, y);
     let mut hit = no_hit();
-    closest_hit(flat, ray, &mut hit);
+    find_hit(flat, probe_of(ray), &mut hit);
     if hit.id == NO_HIT {
         shade_miss(flat, ray, hit)
     } else {

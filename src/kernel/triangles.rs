@@ -1,19 +1,37 @@
 //! All triangles: which one is nearest, and what is found there.
 
+use super::aabb::{clamp_to_box, triangle_box};
 use super::camera::Ray;
 use super::hit::{Hit, Surface, keep_nearer};
+use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
-use super::triangle::{
-    intersect_triangle, shear_of, triangle_normal, triangle_point, triangle_weights,
-};
+use super::triangle::{intersect_triangle, triangle_normal, triangle_point, triangle_weights};
+use super::vector::Vec3;
 use crate::flat::Flat;
 
+/// Tests one triangle, by its index, within its own box.
+pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, index: u32, hit: &mut Hit<R>) {
+    let triangle = &flat.triangles[index as usize];
+    let mut t = intersect_triangle(probe.ray, probe.shear, triangle);
+    if t < R::MISS {
+        t = clamp_to_box(
+            probe.slabs,
+            triangle_box(
+                Vec3::from(triangle.a).to_f32(),
+                Vec3::from(triangle.b).to_f32(),
+                Vec3::from(triangle.c).to_f32(),
+            ),
+            t,
+        );
+    }
+    keep_nearer(hit, t, flat.first_triangle() + index);
+}
+
 /// Tests every triangle.
-pub fn closest_triangle<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: &mut Hit<R>) {
-    let shear = shear_of(ray);
-    for (triangle, id) in flat.triangles.iter().zip(flat.first_triangle()..) {
-        keep_nearer(hit, intersect_triangle(ray, shear, triangle), id);
+pub fn closest_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
+    for index in 0..flat.triangles.len() as u32 {
+        test_triangle(flat, probe, index, hit);
     }
 }
 

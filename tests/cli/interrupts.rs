@@ -94,7 +94,9 @@ fn an_interrupt_ends_a_render_and_leaves_the_old_file() {
         let room = Room::new();
         room.write("endless.toml", endless_scene());
         room.write("a.png", "old");
-        let line = format!("render endless.toml -o a.png --backend {backend} --progress json");
+        let line = format!(
+            "render endless.toml -o a.png --backend {backend} --bounds none --progress json"
+        );
         let mut work = Work::start(&room, &line);
         work.await_progress();
         work.signal(signal);

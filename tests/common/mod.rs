@@ -2,8 +2,12 @@
 
 #![allow(dead_code, reason = "each test uses a part")]
 
+pub mod random;
+
+use rayproof::bounds::Bounds;
 use rayproof::gpu::device::Gpu;
-use rayproof::{Accuracy, Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
+use rayproof::render::Settings;
+use rayproof::{Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
 
 /// The best adapter; without one the test fails, for a check that was not made
 /// is no check.
@@ -13,17 +17,23 @@ pub fn gpu() -> Gpu {
     })
 }
 
+/// Every ray tests every primitive: the reference.
+pub const BRUTE_FORCE: Settings = Settings {
+    accuracy: rayproof::Accuracy::Robust,
+    bounds: Bounds::None,
+};
+
 /// The picture from the GPU.
 pub fn on_gpu(scene: &Scene) -> Frame {
     let backend = Backend::Gpu(Box::new(gpu()));
-    rayproof::render(scene, &backend, Accuracy::Robust, &Unwatched)
+    rayproof::render(scene, &backend, BRUTE_FORCE, &Unwatched)
         .unwrap()
         .frame
 }
 
 /// The picture from the CPU.
 pub fn on_cpu(scene: &Scene) -> Frame {
-    rayproof::render(scene, &Backend::Cpu(None), Accuracy::Robust, &Unwatched)
+    rayproof::render(scene, &Backend::Cpu(None), BRUTE_FORCE, &Unwatched)
         .unwrap()
         .frame
 }
