@@ -69,19 +69,28 @@ fn shapes() {
     assert_same_bits(&["assets/scenes/shapes.toml"]);
 }
 
-/// In full size 27 s; every pixel is a case of its own, so a smaller picture
-/// tests the same arithmetic.
 #[test]
 fn seed_models() {
-    let size = if thorough() { "500x500" } else { "150x150" };
-    assert_same_bits(&["assets/scenes/seed-models.toml", "--size", size]);
+    assert_same_bits(&["assets/scenes/seed-models.toml"]);
 }
 
-/// In full size 60 s.
 #[test]
 fn knot() {
-    let size = if thorough() { "96x96" } else { "32x32" };
-    assert_same_bits(&["assets/scenes/knot.toml", "--size", size]);
+    assert_same_bits(&["assets/scenes/knot.toml"]);
+}
+
+/// Brute force takes 27 s on the models in full size and 60 s on the knot.
+#[test]
+fn without_volumes() {
+    for (scene, full, small) in [
+        ("assets/scenes/seed-spheres.toml", "1000x1000", "1000x1000"),
+        ("assets/scenes/shapes.toml", "1000x1000", "1000x1000"),
+        ("assets/scenes/seed-models.toml", "500x500", "150x150"),
+        ("assets/scenes/knot.toml", "96x96", "32x32"),
+    ] {
+        let size = if thorough() { full } else { small };
+        assert_same_bits(&[scene, "--size", size, "--bounds", "none"]);
+    }
 }
 
 fn thorough() -> bool {
