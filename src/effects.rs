@@ -19,6 +19,13 @@ pub struct Effect {
     off: &'static [Source],
 }
 
+impl Effect {
+    /// The shader files with the effect, or without it.
+    pub fn files(&self, on: bool) -> &'static [Source] {
+        if on { self.on } else { self.off }
+    }
+}
+
 macro_rules! file {
     ($name:literal) => {
         Source {
@@ -124,11 +131,7 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, divide: Source) -> Vec<Sou
     let mut files = ALWAYS.to_vec();
     files.push(divide);
     for effect in EFFECTS {
-        for file in if chosen(effect) {
-            effect.on
-        } else {
-            effect.off
-        } {
+        for file in effect.files(chosen(effect)) {
             if !files.iter().any(|present| present.name == file.name) {
                 files.push(*file);
             }

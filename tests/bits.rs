@@ -12,7 +12,7 @@ use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::layout::Pixel;
 use rayproof::scene::mesh::{Builtin, build};
-use rayproof::scene::{Geometry, Material, Shape, Transform};
+use rayproof::scene::{Falloff, Geometry, Light, MAX_LIGHTS, Material, Shape, Transform};
 use rayproof::{Backend, Error, Scene, Unwatched, Watch};
 
 #[test]
@@ -141,6 +141,25 @@ fn render_in(scene: &Scene, portions: Portions) -> Result<Vec<Pixel>, Error> {
         },
     )?;
     Ok(pixels)
+}
+
+/// Shading loops over the lights, in one dispatch: the most that a scene may have
+/// are all there.
+#[test]
+fn as_many_lights_as_allowed() {
+    let mut scene = scene("shapes").with_size(24, 24);
+    let color = [1.0 / MAX_LIGHTS as f64; 3];
+    scene.lights = (0..MAX_LIGHTS)
+        .map(|at| Light::Point {
+            position: DVec3::new(at as f64 / MAX_LIGHTS as f64, 6.0, 5.0),
+            color,
+            falloff: Falloff::None,
+        })
+        .collect();
+    assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));
+    scene.lights.push(scene.lights[0]);
+    let error = scene.validate().unwrap_err().to_string();
+    assert!(error.contains("60001 lights"), "{error}");
 }
 
 /// A dispatch that loops more often than the driver allows is an error, not a

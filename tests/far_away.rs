@@ -4,8 +4,8 @@ mod common;
 
 use common::{assert_same_bits, compare, on_cpu, on_gpu, scene};
 use glam::DVec3;
-use rayproof::scene::{Geometry, Light};
-use rayproof::{Frame, Scene};
+use rayproof::scene::{Geometry, Light, Transfer};
+use rayproof::{Frame, Layer, Scene};
 
 /// The scene with everything in it moved.
 fn moved(scene: &Scene, by: DVec3) -> Scene {
@@ -61,25 +61,30 @@ fn an_exact_offset_changes_no_bit() {
     }
 }
 
-/// The share of pixels that show another primitive.
-fn other_ids(left: &Frame, right: &Frame) -> f64 {
-    compare(left, right).id_mismatches as f64 / left.pixels() as f64
+/// Pixels of a PNG that differ by more than one step of a channel, which is what a
+/// value on the border between two steps may move by.
+fn visibly_different(left: &Frame, right: &Frame) -> usize {
+    let bytes = |frame: &Frame| frame.to_rgb8(Layer::Color, Transfer::Srgb);
+    bytes(left)
+        .iter()
+        .zip(bytes(right))
+        .filter(|(a, b)| a.abs_diff(*b) > 1)
+        .count()
 }
 
 /// An offset that is not exact moves each coordinate by at most half an ulp of
 /// 1e6 in f64, 6e-11 units. An f32 coordinate of about 5 has an ulp of 5e-7, so it
 /// moves by one ulp where it lies within 6e-11 of a rounding boundary, one time
-/// in 4000. Seen: a few ulp here and there, and no pixel that shows another
-/// primitive but on the very edge.
+/// in 4000. A silhouette thus moves by some 1e-7 units where a pixel is 1e-2 wide:
+/// of the few thousand pixels on silhouettes, none is expected to change sides.
 #[test]
 fn an_inexact_offset_leaves_no_artefacts() {
     let by = DVec3::new(1e6 + 0.1, 1e6 + 0.7, -1e6 / 3.0);
     for scene in scenes() {
         let here = on_cpu(&scene);
         let there = on_gpu(&moved(&scene, by));
-        assert!(other_ids(&here, &there) < 1e-3);
-        let comparison = compare(&here, &there);
-        assert!(comparison.flip.unwrap() < 1e-3, "{comparison:#?}");
+        assert_eq!(compare(&here, &there).id_mismatches, 0);
+        assert_eq!(visibly_different(&here, &there), 0);
     }
 }
 
@@ -99,6 +104,5 @@ fn rounding_before_subtracting_is_noticed() {
             *center = rounded(*center);
         }
     }
-    let comparison = compare(&on_cpu(&scene), &on_cpu(&there));
-    assert!(comparison.flip.unwrap() > 1e-3, "{comparison:#?}");
+    assert!(visibly_different(&on_cpu(&scene), &on_cpu(&there)) > 100);
 }

@@ -4,8 +4,10 @@
 use std::fs;
 use std::path::Path;
 
+use rayproof::effects::EFFECTS;
+
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 6] = [
+const WITHOUT_TWIN: [(&str, &str); 5] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
     // The CPU traces a pixel in one call, the GPU a tile in two dispatches.
@@ -14,8 +16,6 @@ const WITHOUT_TWIN: [(&str, &str); 6] = [
     ("trace", "find_hit"),
     ("trace", "trace_tile"),
     ("trace", "shade_tile"),
-    // Data, not arithmetic.
-    ("mod", ""),
 ];
 
 /// The functions of a file at its outermost level, in order.
@@ -102,22 +102,21 @@ fn every_shader_has_a_twin_or_a_reason() {
 /// What an effect offers when it is off is part of what it offers when on.
 #[test]
 fn stubs_define_functions_of_their_effect() {
-    let mut stubs = 0;
-    for entry in fs::read_dir("shaders").unwrap() {
-        let path = entry.unwrap().path();
-        let path = path.to_str().unwrap();
-        let Some(stem) = path.strip_suffix("_off.wgsl") else {
-            continue;
+    for effect in EFFECTS {
+        let defined = |on| -> Vec<String> {
+            effect
+                .files(on)
+                .iter()
+                .flat_map(|file| functions(file.text))
+                .collect()
         };
-        let on = functions(&fs::read_to_string(format!("{stem}_on.wgsl")).unwrap());
-        let off = functions(&fs::read_to_string(path).unwrap());
+        let (on, off) = (defined(true), defined(false));
         assert!(
             !off.is_empty() && off.iter().all(|name| on.contains(name)),
-            "{path}"
+            "{}",
+            effect.name
         );
-        stubs += 1;
     }
-    assert_eq!(stubs, 8);
 }
 
 /// The control: a missing, a renamed and a displaced function are noticed.

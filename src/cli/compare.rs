@@ -13,6 +13,7 @@ use rayproof::compare::{
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, read_image};
 use rayproof::render::{Backend, Settings, render};
+use rayproof::scene::Image;
 
 /// What a device is held to that may contract or reorder sums, where the
 /// scene's picture is not expected to be bit-identical. Contraction moves each
@@ -42,7 +43,10 @@ pub(super) fn run(arguments: &CompareArguments, common: &Common) -> Result<Outco
         }
         frame::check_writable(output)?;
     }
-    let is_scene = |path: &Path| path.extension().is_some_and(|ending| ending == "toml");
+    let is_scene = |path: &Path| {
+        path.extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
+    };
     let comparison = match &arguments.right {
         None if is_scene(&arguments.left) => scenes(arguments, &arguments.left, common)?,
         Some(right) if is_scene(&arguments.left) && is_scene(right) => {
@@ -74,6 +78,7 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
     let place = &arguments.place;
     let left_scene = place.load(&arguments.left)?;
     let right_scene = place.load(right)?;
+    same_size(&left_scene.image, &right_scene.image)?;
     let gpu = place.open_gpu()?;
     let mut otherwise = Tolerance::default();
     if !gpu.is_bit_exact() {
@@ -113,6 +118,18 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
         frame::write_rgb8(output, on_gpu.frame.width, on_gpu.frame.height, &map)?;
     }
     Ok(comparison)
+}
+
+/// Known before the first ray.
+fn same_size(left: &Image, right: &Image) -> Result<()> {
+    if (left.width, left.height) == (right.width, right.height) {
+        return Ok(());
+    }
+    Err(Error::Usage(format!(
+        "the left scene is {} x {} pixels and the right one {} x {}: \
+         give both one size with `--size`",
+        left.width, left.height, right.width, right.height
+    )))
 }
 
 fn pictures(arguments: &CompareArguments, right: &Path) -> Result<Comparison> {

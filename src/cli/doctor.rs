@@ -120,13 +120,19 @@ fn summary(diagnosis: &Diagnosis) -> String {
     if let Some(arithmetic) = &diagnosis.arithmetic {
         rows.extend(arithmetic_rows(arithmetic));
     }
-    let verdict = if diagnosis.bit_exact {
-        "pictures equal the CPU's bit for bit"
-    } else {
-        "pictures equal the CPU's within a tolerance only"
-    };
-    rows.push(("verdict", verdict.to_string()));
+    rows.push(("verdict", verdict(diagnosis).to_string()));
     report::table(&rows)
+}
+
+fn verdict(diagnosis: &Diagnosis) -> &'static str {
+    let flushes = diagnosis.arithmetic.as_ref().is_some_and(|a| !a.denormals);
+    match (diagnosis.bit_exact, flushes) {
+        (true, false) => "pictures equal the CPU's bit for bit",
+        (true, true) => {
+            "pictures equal the CPU's bit for bit, but for values below 1.2e-38, which are flushed"
+        }
+        (false, _) => "pictures equal the CPU's within a tolerance only",
+    }
 }
 
 fn arithmetic_rows(arithmetic: &Arithmetic) -> [(&'static str, String); 6] {

@@ -14,7 +14,7 @@ use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
 use rayproof::render::{Accuracy, Backend, Settings};
 use rayproof::scene::Scene;
-use rayproof::scene::mesh::Builtin;
+use rayproof::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
 use rayproof::scene::parse::{self, Loaded};
 use rayproof::scene::policy::Policy;
 
@@ -187,13 +187,14 @@ pub(super) struct CheckArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = meshes())]
 pub(super) struct MeshArguments {
     /// The built-in mesh: teapot, icosphere, knot, terrain, box or tetrahedron
     #[arg(value_parser = parse_builtin)]
     pub(super) name: Builtin,
     /// The wished number of triangles, 4 to 10 million
     #[arg(long, value_name = "N",
-          value_parser = clap::value_parser!(u32).range(4..=i64::from(rayproof::scene::mesh::MAX_DETAIL)))]
+          value_parser = clap::value_parser!(u32).range(i64::from(MIN_DETAIL)..=i64::from(MAX_DETAIL)))]
     pub(super) detail: Option<u32>,
     /// The OBJ file to write
     #[arg(long, short)]
@@ -358,4 +359,10 @@ fn parse_builtin(text: &str) -> Result<Builtin, String> {
         let names = Builtin::ALL.map(Builtin::name).join(", ");
         format!("there is no built-in mesh `{text}`; there are {names}")
     })
+}
+
+/// The built-in meshes, for `--help`.
+fn meshes() -> String {
+    let rows = Builtin::ALL.map(|mesh| format!("  {:12} {}\n", mesh.name(), mesh.describe()));
+    format!("Meshes:\n{}", rows.concat())
 }

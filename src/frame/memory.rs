@@ -41,8 +41,8 @@ pub(super) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>> {
 }
 
 /// Bytes that can be taken without swapping, being refused or killed: the least
-/// of what the kernel, the control group and the process's own limit say. Where nothing is known, what one
-/// allocation can hold.
+/// of what the kernel, the control group and the process's own limit say. Where
+/// nothing is known, what one allocation can hold.
 fn available_bytes() -> u64 {
     [system_bytes(), group_bytes(), process_bytes()]
         .into_iter()
@@ -64,11 +64,23 @@ fn system_bytes() -> Option<u64> {
 /// Linux control groups, version 2, as a container sees its own: the limit less
 /// what is in use.
 fn group_bytes() -> Option<u64> {
-    let read = |name| -> Option<u64> {
-        let text = fs::read_to_string(format!("/sys/fs/cgroup/{name}")).ok()?;
-        text.trim().parse().ok()
-    };
-    Some(read("memory.max")?.saturating_sub(read("memory.current")?))
+    let read = |name| fs::read_to_string(format!("/sys/fs/cgroup/{name}")).ok();
+    // No limit is `max`, which is no number.
+    let limit = read("memory.max")?.trim().parse().ok()?;
+    let used = read("memory.current")?.trim().parse().ok()?;
+    Some(group_available(limit, used, &read("memory.stat")?))
+}
+
+/// A group's use counts the files that the kernel keeps in memory, which it gives
+/// up when the memory is wanted: after a build that is most of it.
+fn group_available(limit: u64, used: u64, stat: &str) -> u64 {
+    let cached = stat
+        .lines()
+        .filter_map(|line| line.split_once(' '))
+        .filter(|(name, _)| ["active_file", "inactive_file"].contains(name))
+        .filter_map(|(_, bytes)| bytes.trim().parse::<u64>().ok())
+        .fold(0, u64::saturating_add);
+    limit.saturating_sub(used.saturating_sub(cached))
 }
 
 /// Linux: the limit on the address space (`ulimit -v`) less what is in use.
@@ -93,6 +105,14 @@ mod tests {
         assert_eq!(reserve_pixels(1000, 1000, 44).unwrap(), 1_000_000);
         let error = reserve_pixels(u32::MAX, u32::MAX, u64::MAX).unwrap_err();
         assert!(matches!(error, Error::Limit(_)), "{error}");
+    }
+
+    #[test]
+    fn cached_files_of_a_group_are_available() {
+        let stat = "anon 100\nfile 700\ninactive_file 500\nactive_file 200\n";
+        assert_eq!(group_available(1000, 900, stat), 800);
+        assert_eq!(group_available(1000, 900, "anon 900\n"), 100);
+        assert_eq!(group_available(1000, 1200, "anon 1200\n"), 0);
     }
 
     #[test]

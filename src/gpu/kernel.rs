@@ -11,8 +11,21 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`Error::Shader`] when the driver or wgpu refuses it.
+    /// [`Error::Limit`] when the device binds too few buffers, [`Error::Shader`] when
+    /// the driver or wgpu refuses the program.
     pub(super) fn compile(&self, program: &Program) -> Result<Kernel> {
+        let storage = program
+            .bindings
+            .iter()
+            .filter(|b| b.access != Access::Uniform)
+            .count();
+        let most = self.limits.max_storage_buffers_per_shader_stage as usize;
+        if storage > most {
+            return Err(Error::Limit(format!(
+                "the scene calls for {storage} storage buffers; {} binds {most}",
+                self.adapter.name
+            )));
+        }
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let module = self.shader_module(program);
         let layouts = self.bind_group_layouts(program);

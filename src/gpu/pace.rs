@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use super::stage::WORKGROUP;
+
 /// How long a dispatch should take: long enough that starting it costs little,
 /// short enough to be smooth and far from any watchdog.
 const DISPATCH_TIME: Duration = Duration::from_millis(75);
@@ -12,9 +14,6 @@ const FIRST_GUESS: f64 = 1e7;
 /// Primitives of a dispatch at least; fewer would not pay for starting it.
 const FEWEST: u32 = 256;
 
-/// Rows of a workgroup; a tile of fewer leaves lanes idle.
-const WORKGROUP_ROWS: u32 = 8;
-
 /// The pace of a scene on a device.
 #[derive(Debug)]
 pub(super) struct Pace {
@@ -22,6 +21,9 @@ pub(super) struct Pace {
     most: u32,
     /// Primitives that a ray tests.
     primitives: u32,
+    /// Lights of the scene, which one dispatch goes through for each pixel. One
+    /// counts as a shape test: a root and a division or two, as that.
+    lights: u32,
     width: u32,
     /// Shape tests a second.
     rate: f64,
@@ -30,11 +32,12 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    pub(super) fn new([width, height]: [u32; 2], primitives: u32, most: u32) -> Self {
+    pub(super) fn new([width, height]: [u32; 2], primitives: u32, lights: u32, most: u32) -> Self {
         let total = f64::from(width) * f64::from(height) * f64::from(primitives.max(1));
         Self {
             most,
             primitives,
+            lights,
             width,
             rate: FIRST_GUESS,
             tested: 0.0,
@@ -49,12 +52,11 @@ impl Pace {
 
     /// Rows of the next tile, at most `limit`.
     pub(super) fn rows(&self, limit: u32) -> u32 {
-        let primitives = self.primitives.clamp(1, self.most);
-        let row = f64::from(self.width) * f64::from(primitives);
+        let steps = self.primitives.clamp(1, self.most).max(self.lights);
+        let row = f64::from(self.width) * f64::from(steps);
         let rows = (self.budget() / row) as u32;
-        (rows / WORKGROUP_ROWS * WORKGROUP_ROWS)
-            .max(WORKGROUP_ROWS)
-            .min(limit)
+        // A tile of fewer rows than a workgroup leaves lanes idle.
+        (rows / WORKGROUP * WORKGROUP).max(WORKGROUP).min(limit)
     }
 
     /// Primitives of the next dispatch over this many pixels.
@@ -90,7 +92,7 @@ mod tests {
     #[test]
     fn a_dispatch_nears_its_time_and_keeps_its_bound() {
         // A device that does a thousand million tests a second.
-        let mut pace = Pace::new([1000, 1000], 10_000_000, 60_000);
+        let mut pace = Pace::new([1000, 1000], 10_000_000, 1, 60_000);
         let mut seconds = 0.0;
         for _ in 0..20 {
             let pixels = 1000 * pace.rows(1000);
@@ -100,5 +102,11 @@ mod tests {
             pace.learn(pixels, primitives, Duration::from_secs_f64(seconds));
         }
         assert!((0.04..0.11).contains(&seconds), "{seconds} s");
+    }
+    /// Shading is one dispatch a tile, however many the lights.
+    #[test]
+    fn many_lights_make_small_tiles() {
+        let rows = |lights| Pace::new([1000, 1000], 1, lights, 60_000).rows(1000);
+        assert!(rows(1) > 100 && rows(10_000) == WORKGROUP);
     }
 }

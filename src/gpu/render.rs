@@ -93,6 +93,7 @@ impl<'a> Prepared<'a> {
         let pace = Pace::new(
             flat.size,
             tests_per_ray(&flat),
+            flat.lights.len() as u32,
             portions.primitives_per_dispatch,
         );
         Ok(Self {

@@ -59,7 +59,8 @@ pub struct Arithmetic {
 }
 
 impl Arithmetic {
-    /// Every operation of the kernel has Rust's bits, so pictures should too.
+    /// Every operation of the kernel has Rust's bits, so pictures should too: where
+    /// `denormals` is false, as long as no value falls below the least normal one.
     pub fn is_exact(&self) -> bool {
         let rounds = (self.division_ulp == 0 && self.sqrt_ulp == 0) || self.corrected;
         self.two_sum && self.two_prod && !self.contraction && rounds

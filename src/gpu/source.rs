@@ -37,11 +37,6 @@ impl Assembly {
         }
     }
 
-    /// The names of the files.
-    pub fn file_names(&self) -> Vec<&'static str> {
-        self.files.iter().map(|(name, _)| *name).collect()
-    }
-
     /// Where a byte of the module stands, as `file:line`.
     pub fn place(&self, byte: usize) -> String {
         let byte = byte.min(self.wgsl.len());

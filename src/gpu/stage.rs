@@ -17,7 +17,7 @@ use crate::layout::{Dispatch, Pixel};
 const PIXELS_PER_TILE: u32 = 1 << 20;
 
 /// Invocations of a workgroup across and down, as the shader says.
-const WORKGROUP: u32 = 8;
+pub(super) const WORKGROUP: u32 = 8;
 
 /// All the buffers of one render.
 pub(super) struct Stage {
@@ -167,4 +167,19 @@ fn upload_part<T: Pod>(
 ) -> Result<(&'static str, wgpu::Buffer)> {
     let part = &records[part.start as usize..part.end as usize];
     Ok((name, gpu.upload(name, bytemuck::cast_slice(part))?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::{DIVIDE_NATIVE, select_files};
+    use crate::gpu::program::Program;
+
+    #[test]
+    fn the_shader_has_workgroups_of_this_size() {
+        let program = Program::build(&select_files(|_| true, DIVIDE_NATIVE)).unwrap();
+        for entry in &program.module.entry_points {
+            assert_eq!(entry.workgroup_size, [WORKGROUP, WORKGROUP, 1]);
+        }
+    }
 }

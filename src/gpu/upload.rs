@@ -49,6 +49,14 @@ impl Gpu {
     ///
     /// As [`Gpu::create_buffer`].
     pub(super) fn upload(&self, name: &str, bytes: &[u8]) -> Result<wgpu::Buffer> {
+        let most = self.limits.max_storage_buffer_binding_size;
+        if bytes.len() as u64 > most {
+            return Err(Error::Limit(format!(
+                "the buffer `{name}` takes {} bytes; {} binds {most} at once",
+                bytes.len(),
+                self.adapter.name
+            )));
+        }
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let buffer = self.create_buffer(name, bytes.len() as u64, usage)?;
         self.queue.write_buffer(&buffer, 0, bytes);

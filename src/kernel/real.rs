@@ -20,15 +20,11 @@ pub trait Real:
 {
     /// 0.
     const ZERO: Self;
-    /// 1.
-    const ONE: Self;
     /// 2.
     const TWO: Self;
     /// The value of t that stands for "no hit": the largest finite number, since
     /// WGSL has no infinity. Every true hit is nearer.
     const MISS: Self;
-    /// The name of the width.
-    const NAME: &'static str;
 
     /// The nearest number of this width.
     fn from_f64(value: f64) -> Self;
@@ -36,8 +32,6 @@ pub trait Real:
     fn from_u32(value: u32) -> Self;
     /// The nearest f32, in which shading is done and pictures are kept.
     fn to_f32(self) -> f32;
-    /// Exact.
-    fn to_f64(self) -> f64;
     /// The square root, correctly rounded.
     fn sqrt(self) -> Self;
     /// The absolute value.
@@ -47,13 +41,11 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($t:ty, $name:literal) => {
+    ($t:ty) => {
         impl Real for $t {
             const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
             const TWO: Self = 2.0;
             const MISS: Self = <$t>::MAX;
-            const NAME: &'static str = $name;
 
             fn from_f64(value: f64) -> Self {
                 value as $t
@@ -63,9 +55,6 @@ macro_rules! impl_real {
             }
             fn to_f32(self) -> f32 {
                 self as f32
-            }
-            fn to_f64(self) -> f64 {
-                f64::from(self)
             }
             fn sqrt(self) -> Self {
                 <$t>::sqrt(self)
@@ -80,8 +69,8 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f32, "f32");
-impl_real!(f64, "f64");
+impl_real!(f32);
+impl_real!(f64);
 
 /// The magnitude of `magnitude` with the sign bit of `sign`.
 pub fn copy_sign<R: Real>(magnitude: R, sign: R) -> R {

@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::{Background, Camera, Geometry, Light, Mesh, Scene, Shape};
 use crate::{Error, Result};
 pub(super) use rule::*;
-pub use rule::{MAX_IMAGE_SIDE, MAX_MAGNITUDE, MIN_SIZE};
+pub use rule::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MIN_SIZE};
 pub(super) use solid::*;
 
 impl Scene {
@@ -29,6 +29,7 @@ impl Scene {
             .and_then(|()| camera(&self.camera))
             .and_then(|()| background(&self.background))
             .and_then(|()| color("ambient", self.ambient))
+            .and_then(|()| light_count(self.lights.len()))
             .map_err(|flaw| flaw.into_usage("scene"))?;
         for (i, l) in self.lights.iter().enumerate() {
             light(l).map_err(|flaw| flaw.into_usage(&format!("light {i}")))?;

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-pub use check::{MAX_IMAGE_SIDE, MAX_MAGNITUDE, MIN_SIZE};
+pub use check::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MIN_SIZE};
 
 /// A linear RGB colour; 1 is full, values above 1 are allowed.
 pub type Rgb = [f64; 3];

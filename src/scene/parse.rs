@@ -22,7 +22,7 @@ use self::faults::Faults;
 use self::material::Palette;
 use self::section::Section;
 use self::syntax::SyntaxError;
-use super::{Light, Scene, policy::Policy};
+use super::{Light, Scene, check, policy::Policy};
 use crate::Result;
 
 /// A scene, and what was odd about its file without being wrong.
@@ -110,6 +110,9 @@ fn read(
     let background = settings::background(root.table("background", "[background]", faults), faults);
     let ambient = settings::ambient(root.table("ambient", "[ambient]", faults), faults);
     let lights = root.tables("light", "[[light]]", faults);
+    if let Some(surplus) = lights.get(check::MAX_LIGHTS) {
+        faults.judge(surplus.span.clone(), check::light_count(lights.len()));
+    }
     let lights = lights
         .into_iter()
         .filter_map(|section| settings::light(section, faults))

@@ -2,6 +2,13 @@
 
 use super::{CAMERA, Room, SCENE};
 
+/// A machine without a Vulkan driver. The second name is the one that loaders
+/// before 1.3.207 know.
+const NO_DRIVER: [(&str, &str); 2] = [
+    ("VK_DRIVER_FILES", "/nonexistent"),
+    ("VK_ICD_FILENAMES", "/nonexistent"),
+];
+
 #[test]
 fn done_is_0() {
     let room = Room::new();
@@ -49,6 +56,7 @@ fn a_difference_is_1() {
 fn wrong_usage_is_2() {
     let room = Room::new();
     room.run("render ok.toml -o a.png").with(0);
+    room.write("big.toml", SCENE.replace("width = 48", "width = 30000"));
     let names = room.names();
     for (line, word) in [
         ("", "Usage"),
@@ -81,6 +89,7 @@ fn wrong_usage_is_2() {
         ("compare ok.toml a.png", "two image files"),
         ("compare a.png ok.toml", "two image files"),
         ("compare a.png", "two image files"),
+        ("compare ok.toml big.toml", "--size"),
         ("compare a.png a.png -o diff.exr", "a PNG"),
         ("compare a.png a.png --max-abs -1", "max_abs"),
         ("mesh teacup -o a.obj", "teapot, icosphere, knot, terrain"),
@@ -155,27 +164,25 @@ fn what_is_no_file_is_refused_and_does_not_hang() {
 #[test]
 fn no_adapter_is_4_and_names_the_package() {
     let room = Room::new();
-    let none = [("VK_DRIVER_FILES", "/nonexistent")];
     let package = "mesa-vulkan-drivers";
     for line in ["render ok.toml -o a.png --backend gpu", "compare ok.toml"] {
-        room.run_with(line, &none).with(4).telling(&[package]);
+        room.run_with(line, &NO_DRIVER).with(4).telling(&[package]);
     }
     room.run("render ok.toml -o a.png --adapter abacus")
         .with(4)
         .telling(&["abacus", package]);
     // What OpenGL there may be is shown, but does not count.
-    let doctor = room.run_with("doctor", &none).with(4);
+    let doctor = room.run_with("doctor", &NO_DRIVER).with(4);
     assert!(doctor.err.contains(package), "{doctor:#?}");
-    room.run_with("doctor --json", &none).with(4).json();
+    room.run_with("doctor --json", &NO_DRIVER).with(4).json();
     assert_eq!(room.names(), ["ok.toml"]);
 }
 
 #[test]
 fn auto_falls_back_to_the_cpu_and_says_so() {
     let room = Room::new();
-    let none = [("VK_DRIVER_FILES", "/nonexistent")];
     let fallen = room
-        .run_with("render ok.toml -o fallen.exr --json", &none)
+        .run_with("render ok.toml -o fallen.exr --json", &NO_DRIVER)
         .with(0);
     assert!(fallen.err.contains("rendering on the CPU"), "{fallen:#?}");
     assert_eq!(fallen.json()["backend"], "cpu");

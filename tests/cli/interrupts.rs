@@ -1,6 +1,6 @@
 //! Exit code 130: Ctrl-C while the program is at work.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -42,6 +42,23 @@ impl Work {
             .args(["-c", "kill -s $0 $1", name, &id])
             .status();
         assert!(sent.expect("a shell").success(), "{name} to {id}");
+    }
+
+    /// Waits until the process catches SIGINT: proc(5), a mask in hexadecimal with
+    /// the first signal in its last bit.
+    fn await_handler(&self) {
+        const SIGINT: u32 = 2;
+        let catches = || {
+            let status = fs::read_to_string(format!("/proc/{}/status", self.0.id())).ok()?;
+            let mask = status.lines().find_map(|l| l.strip_prefix("SigCgt:"))?;
+            let mask = u64::from_str_radix(mask.trim(), 16).ok()?;
+            Some(mask >> (SIGINT - 1) & 1 == 1)
+        };
+        let started = Instant::now();
+        while catches() != Some(true) {
+            assert!(started.elapsed() < super::PATIENCE, "it heeds no signal");
+            std::thread::sleep(Duration::from_millis(5));
+        }
     }
 
     /// Waits for the first line on standard error.
@@ -109,8 +126,7 @@ fn an_interrupt_ends_what_does_not_ask_for_it() {
     let room = Room::new();
     let line = "mesh knot --detail 10000000 -o a.obj";
     let mut work = Work::start(&room, line);
-    // The temporary file of the first check says that signals are heeded.
-    std::thread::sleep(Duration::from_millis(500));
+    work.await_handler();
     work.signal("INT");
     let (code, took) = work.end();
     assert_eq!(code, Some(130));

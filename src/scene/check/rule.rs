@@ -19,6 +19,10 @@ pub const MIN_SIZE: f64 = 1.0 / MAX_MAGNITUDE;
 /// sample position is exact in f32.
 pub const MAX_IMAGE_SIDE: u64 = 32768;
 
+/// Most lights of a scene: a pixel is shaded in one loop over all of them, which
+/// lavapipe silently stops after 65,535 iterations.
+pub const MAX_LIGHTS: usize = 60_000;
+
 /// Sine of the smallest angle between `up` and the line of sight. Rounding
 /// leaves their f64 cross product (differences, products, sums) with a relative
 /// error below 3 sqrt(3) 2^-53 over that sine; at 2^-26 the camera's horizontal
@@ -155,6 +159,17 @@ pub fn direction(what: &str, v: DVec3) -> Verdict {
             format!("`{what}` is {v}, which points nowhere"),
             "zero length",
             "write a vector of any length but 0, such as [0, 1, 0]",
+        )
+    })
+}
+
+/// No more lights than one loop takes.
+pub fn light_count(lights: usize) -> Verdict {
+    require(lights <= MAX_LIGHTS, || {
+        flaw(
+            format!("{lights} lights are more than {MAX_LIGHTS}"),
+            "too many",
+            format!("keep to {MAX_LIGHTS} lights; one brighter light may stand for several"),
         )
     })
 }

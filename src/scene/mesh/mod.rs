@@ -26,6 +26,9 @@ use super::Mesh;
 
 pub use write::write_obj;
 
+/// The coarsest detail that may be wished for: a tetrahedron's faces.
+pub const MIN_DETAIL: u32 = 4;
+
 /// The finest detail that [`build`] gives: at this size the largest mesh takes
 /// about half a gibibyte, and vertex indices are far from the end of `u32`.
 pub const MAX_DETAIL: u32 = 10_000_000;

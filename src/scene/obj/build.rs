@@ -5,11 +5,7 @@ use glam::DVec3;
 use super::elements::{FaceNote, NO_MATERIAL, Notes};
 use super::polygon::{Clipper, Cut};
 use super::tally::Dropped;
-use crate::scene::Mesh;
-
-/// Coordinates beyond this count as non-finite: their squares, and sums of
-/// products of those, stay within f32 (3.4e38) on the GPU.
-const MAX_MAGNITUDE: f64 = 1e15;
+use crate::scene::{MAX_MAGNITUDE, Mesh};
 
 /// Stands for flat triangles until it is known whether any other is smooth.
 const FLAT: [u32; 3] = [u32::MAX; 3];

@@ -1,7 +1,7 @@
 //! `[[sphere]]`, `[[plane]]`, `[[disk]]`, `[[triangle]]` and `[[mesh]]`, before
 //! grids are expanded and meshes are loaded.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use glam::{DMat3, DVec3};
 
@@ -11,11 +11,11 @@ use super::material::Palette;
 use super::placement::{Placement, Stretch};
 use super::section::{Found, Section};
 use super::value::{boolean, choice, number, ruled, text, triple, vector, whole};
-use crate::scene::mesh::Builtin;
+use crate::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
 use crate::scene::{Geometry, Transform, check};
 
 /// The numbers of triangles that can be wished for.
-const DETAIL: std::ops::RangeInclusive<u64> = 4..=10_000_000;
+const DETAIL: RangeInclusive<u64> = MIN_DETAIL as u64..=MAX_DETAIL as u64;
 
 /// A shape as the file describes it.
 pub(super) struct Draft {
