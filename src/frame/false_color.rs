@@ -15,10 +15,11 @@ impl Frame {
     /// One layer as RGB bytes, three a pixel, row by row from the top left.
     ///
     /// Only colour goes through `transfer`. Depth runs from white (nearest) to
-    /// dark grey (farthest) over the frame's own range, a normal n shows as
-    /// (n + 1) / 2, a position as its place in the frame's extent, axis by
-    /// axis, and each of the first 2^21 ids has a colour of its own. What is
-    /// not hit is black.
+    /// dark grey (farthest) by its reciprocal, so that a floor up to the horizon
+    /// leaves contrast to what is near. A normal n shows as (n + 1) / 2, a
+    /// coordinate x of a position as (x / (|x| + m) + 1) / 2, where m is the
+    /// frame's median depth, and each of the first 2^21 ids has a colour of its
+    /// own. What is not hit is black.
     pub fn to_rgb8(&self, layer: Layer, transfer: Transfer) -> Vec<u8> {
         match layer {
             Layer::Color => bytes(
@@ -27,12 +28,13 @@ impl Frame {
                     .map(|c| c.map(|v| transfer::to_byte(transfer, v))),
             ),
             Layer::Depth => {
-                let scale = Scale::of(self.depth.iter().copied());
+                let hits = self.depth.iter().filter(|depth| depth.is_finite());
+                let scale = Scale::of(hits.map(|depth| 1.0 / depth));
                 bytes(self.depth.par_iter().map(|&depth| {
                     if !depth.is_finite() {
                         return BLACK;
                     }
-                    let near = 1.0 - scale.place(depth, 0.0);
+                    let near = scale.place(1.0 / depth, 1.0);
                     [level(FARTHEST + (1.0 - FARTHEST) * near); 3]
                 }))
             }
@@ -48,18 +50,32 @@ impl Frame {
     }
 
     fn position_bytes(&self) -> Vec<u8> {
-        let scale = [0, 1, 2].map(|axis| {
-            let hits = self.position.iter().zip(&self.id);
-            let hits = hits.filter(|(_, id)| **id != NO_HIT);
-            Scale::of(hits.map(|(position, _)| position[axis]))
-        });
+        let middle = self.median_depth();
         let pixels = self.position.par_iter().zip(&self.id);
         bytes(pixels.map(|(position, &id)| {
             if id == NO_HIT {
                 return BLACK;
             }
-            [0, 1, 2].map(|axis| level(scale[axis].place(position[axis], 0.5)))
+            position.map(|x| {
+                let x = f64::from(x);
+                level(x / (x.abs() + middle) * 0.5 + 0.5)
+            })
         }))
+    }
+
+    /// The median of the finite depths; 1 where there is none.
+    fn median_depth(&self) -> f64 {
+        let mut depths: Vec<f32> = self
+            .depth
+            .iter()
+            .copied()
+            .filter(|d| d.is_finite())
+            .collect();
+        if depths.is_empty() {
+            return 1.0;
+        }
+        let middle = depths.len() / 2;
+        f64::from(*depths.select_nth_unstable_by(middle, f32::total_cmp).1)
     }
 }
 
@@ -163,7 +179,7 @@ mod tests {
     fn near_is_white_and_nothing_is_black() {
         let bytes = frame().to_rgb8(Layer::Depth, Transfer::Srgb);
         assert_eq!(pixel(&bytes, 0), [255; 3]);
-        assert_eq!(pixel(&bytes, 1), [140; 3]); // 255 * 0.55 = 140.25
+        assert_eq!(pixel(&bytes, 1), [102; 3]); // 255 * (0.1 + 0.9 / 3)
         assert_eq!(pixel(&bytes, 2), [26; 3]); // 25.5 rounds up
         assert_eq!(pixel(&bytes, 3), BLACK);
     }
@@ -182,9 +198,10 @@ mod tests {
         assert_eq!(pixel(&normals, 1), [0, 128, 128]);
         assert_eq!(pixel(&normals, 3), BLACK);
         let positions = frame().to_rgb8(Layer::Position, Transfer::Srgb);
-        assert_eq!(pixel(&positions, 0), [0, 128, 255]);
-        assert_eq!(pixel(&positions, 1), [128, 128, 255]);
-        assert_eq!(pixel(&positions, 2), [255, 128, 0]);
+        // The median depth is 3.
+        assert_eq!(pixel(&positions, 0), [96, 207, 128]);
+        assert_eq!(pixel(&positions, 1), [128, 207, 128]);
+        assert_eq!(pixel(&positions, 2), [159, 207, 35]);
         assert_eq!(pixel(&positions, 3), BLACK);
     }
 
