@@ -14,7 +14,6 @@ use crate::frame::Frame;
 use crate::gpu::device::Gpu;
 use crate::gpu::render::Portions;
 use crate::kernel::real::Real;
-use crate::kernel::tree::GIVEN_UP;
 use crate::layout::Pixel;
 use crate::scene::Scene;
 use crate::watch::Watch;
@@ -248,8 +247,7 @@ fn trace_and_keep<R: Real>(
 ) -> Result<bool> {
     let mut complete = true;
     trace(flat, &mut |row, pixels| {
-        complete &= pixels.iter().all(|pixel| pixel.tests != GIVEN_UP);
-        frame.keep_rows(row, pixels);
+        complete &= frame.keep_rows(row, pixels);
     })?;
     Ok(complete)
 }

@@ -20,7 +20,6 @@ use rayproof::flatten::flatten;
 use rayproof::frame::Frame;
 use rayproof::gpu::device::Gpu;
 use rayproof::gpu::render::{self as gpu, Portions};
-use rayproof::kernel::tree::GIVEN_UP;
 use rayproof::layout::Pixel;
 use rayproof::measure::{Plan, Spread, Times, Turn, interleave};
 use rayproof::scene::Scene;
@@ -186,8 +185,7 @@ impl<'a> Case<'a> {
         let mut complete = true;
         let started = Instant::now();
         self.tracer.run(watch, &mut |row, pixels| {
-            complete &= pixels.iter().all(|pixel| pixel.tests != GIVEN_UP);
-            frame.keep_rows(row, pixels);
+            complete &= frame.keep_rows(row, pixels);
         })?;
         let seconds = started.elapsed().as_secs_f64();
         if complete {

@@ -14,6 +14,7 @@ pub use output::{check_writable, while_nothing_is_written, write_atomically};
 pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
 
+use crate::kernel::tree::GIVEN_UP;
 pub use crate::layout::NO_HIT;
 use crate::layout::Pixel;
 use crate::{Error, Result};
@@ -93,8 +94,10 @@ impl Frame {
         memory::reserve_pixels(width, height, BYTES_PER_PIXEL + packing).map(drop)
     }
 
-    /// Sorts whole rows of traced pixels into the layers, from row `first_row` on.
-    pub fn keep_rows(&mut self, first_row: u32, pixels: &[Pixel]) {
+    /// Sorts whole rows of traced pixels into the layers, from row `first_row` on;
+    /// `false` if any of their rays was given up on its way through a tree.
+    #[must_use]
+    pub fn keep_rows(&mut self, first_row: u32, pixels: &[Pixel]) -> bool {
         let start = first_row as usize * self.width as usize;
         for (index, pixel) in (start..).zip(pixels) {
             self.color[index] = pixel.color;
@@ -107,6 +110,7 @@ impl Frame {
             self.position[index] = pixel.position;
             self.id[index] = pixel.id;
         }
+        pixels.iter().all(|pixel| pixel.tests != GIVEN_UP)
     }
 
     /// Whether every bit of every layer is the same.

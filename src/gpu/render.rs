@@ -164,21 +164,17 @@ impl<'a> Prepared<'a> {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
-            let end = if self.has_tree() {
-                window.ids.end
+            let (end, tested) = if self.has_tree() {
+                (window.ids.end, tests_per_ray(&self.flat))
             } else {
                 let chunk = self.pace.chunk(pixels);
-                window.ids.end.min(begin.saturating_add(chunk))
+                let end = window.ids.end.min(begin.saturating_add(chunk));
+                (end, end - begin)
             };
             let orders = window.orders(&self.flat, begin..end, tile);
             let started = Instant::now();
             self.stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", index, &orders)?;
-            let tested = if self.has_tree() {
-                tests_per_ray(&self.flat)
-            } else {
-                end - begin
-            };
             self.pace.learn(pixels, tested, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;
