@@ -13,8 +13,8 @@ fn directional_irradiance(light: LightRecord, normal: vec3<f32>) -> vec3<f32> {
 // `light` and what all directional lights add to it.
 fn add_directional_lights(normal: vec3<f32>, light: vec3<f32>) -> vec3<f32> {
     var sum = light;
-    for (var i = surroundings.point_lights; i < arrayLength(&lights); i++) {
-        sum = sum + directional_irradiance(lights[i], normal);
+    for (var i = surroundings.point_lights; i < tables.light_count; i++) {
+        sum = sum + directional_irradiance(light_at(i), normal);
     }
     return sum;
 }

@@ -1,6 +1,6 @@
 // A scene without disks.
 
-fn test_disk(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
 }
 
 fn closest_disk(probe: Probe, hit: ptr<function, Hit>) {

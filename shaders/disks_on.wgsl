@@ -1,30 +1,35 @@
 // All disks: which one is nearest, and what is found there.
 
-@group(2) @binding(3) var<storage, read> disks: array<Disk>;
+// The disk in a row of the table.
+fn disk_at(row: u32) -> Disk {
+    let first = reals_at(tables.disks, 2u * row);
+    return Disk(first.xyz, first.w, reals_at(tables.disks, 2u * row + 1u).xyz);
+}
 
-// Tests one disk, by its index, within its own box.
-fn test_disk(probe: Probe, index: u32, hit: ptr<function, Hit>) {
-    let disk = disks[index];
+// Tests the disk in a row of the table, within its own box.
+fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
+    let disk = disk_at(row);
     var t = intersect_disk(probe.ray, disk);
     if t < MISS {
         t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(disk.center), f32(disk.radius)), t);
     }
-    keep_nearer(hit, t, dispatch.disks.first_id + index);
+    if may_be_closest(hit, t) {
+        keep_nearer(hit, t, word_at(tables.disk_ids, row), row);
+    }
 }
 
 // Tests every disk of the dispatch.
 fn closest_disk(probe: Probe, hit: ptr<function, Hit>) {
-    for (var i = dispatch.disks.begin; i < dispatch.disks.end; i++) {
-        test_disk(probe, i, hit);
+    for (var row = dispatch.disks.begin; row < dispatch.disks.end; row++) {
+        test_disk(probe, row, hit);
     }
 }
 
 // The surface of the disk that was hit.
 fn disk_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
-    let index = hit.id - dispatch.disks.first_id;
-    if index >= dispatch.disks.end {
+    if hit.id < tables.first_disk || hit.id >= tables.first_triangle {
         return;
     }
     (*surface).position = vec3<f32>(ray.origin + ray.direction * hit.t);
-    (*surface).normal = vec3<f32>(face_viewer(disks[index].normal, ray.direction));
+    (*surface).normal = vec3<f32>(face_viewer(disk_at(hit.row).normal, ray.direction));
 }

@@ -8,6 +8,8 @@ struct Hit {
     t: real,
     // The primitive, or NO_HIT.
     id: u32,
+    // Its row in its kind's table.
+    row: u32,
     // Shapes tested so far.
     tests: u32,
 }
@@ -22,15 +24,22 @@ struct Surface {
 
 // Nothing hit, nothing tested.
 fn no_hit() -> Hit {
-    return Hit(MISS, NO_HIT, 0u);
+    return Hit(MISS, NO_HIT, 0u, 0u);
 }
 
-// Counts a test and keeps its hit if it is nearer. Of two hits at the same t the
-// lower id stays, so the order of the tests does not matter.
-fn keep_nearer(hit: ptr<function, Hit>, t: real, id: u32) {
+// Counts a test, and says whether its t may be the closest. A tie is for
+// `keep_nearer` to settle, by the ids, which are read only now.
+fn may_be_closest(hit: ptr<function, Hit>, t: real) -> bool {
     (*hit).tests += 1u;
-    if t < (*hit).t || (t == (*hit).t && id < (*hit).id && t < MISS) {
+    return t <= (*hit).t && t < MISS;
+}
+
+// Keeps a hit if it is nearer. Of two hits at the same t the lower id stays, so the
+// order of the tests does not matter.
+fn keep_nearer(hit: ptr<function, Hit>, t: real, id: u32, row: u32) {
+    if t < (*hit).t || (t == (*hit).t && id < (*hit).id) {
         (*hit).t = t;
         (*hit).id = id;
+        (*hit).row = row;
     }
 }

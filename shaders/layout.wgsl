@@ -30,23 +30,6 @@ struct Triangle {
     c: vec3<real>,
 }
 
-struct CornerNormals {
-    a: vec3<f32>,
-    b: vec3<f32>,
-    c: vec3<f32>,
-}
-
-struct Pair {
-    left_low: vec3<f32>,
-    left: u32,
-    left_high: vec3<f32>,
-    left_count: u32,
-    right_low: vec3<f32>,
-    right: u32,
-    right_high: vec3<f32>,
-    right_count: u32,
-}
-
 struct MaterialRecord {
     albedo: vec3<f32>,
 }
@@ -66,12 +49,31 @@ struct Surroundings {
     point_lights: u32,
 }
 
-// A run of primitives of one kind; the primitive id of index i is first_id + i.
+// Where each table of the scene begins, in quads.
+struct Tables {
+    spheres: u32,
+    sphere_ids: u32,
+    planes: u32,
+    disks: u32,
+    disk_ids: u32,
+    triangles: u32,
+    vertices: u32,
+    vertex_normals: u32,
+    pairs: u32,
+    materials: u32,
+    material_indices: u32,
+    lights: u32,
+    light_count: u32,
+    first_plane: u32,
+    first_disk: u32,
+    first_triangle: u32,
+}
+
+// A run of primitives of one kind, as rows of its table.
 struct Run {
     begin: u32,
     end: u32,
-    first_id: u32,
-    padding: u32,
+    padding: vec2<u32>,
 }
 
 struct Dispatch {
@@ -82,9 +84,17 @@ struct Dispatch {
     planes: Run,
     disks: Run,
     triangles: Run,
-    first_id: u32,
-    primitives: u32,
     fresh: u32,
+    workgroups: u32,
+    workgroups_across: u32,
+    stride: u32,
+}
+
+struct HitRecord {
+    t: f32,
+    id: u32,
+    row: u32,
+    tests: u32,
 }
 
 struct Pixel {
@@ -98,9 +108,7 @@ struct Pixel {
 
 @group(0) @binding(0) var<uniform> dispatch: Dispatch;
 @group(0) @binding(1) var<uniform> camera: Camera;
-@group(0) @binding(2) var<storage, read_write> pixels: array<Pixel>;
-@group(0) @binding(3) var<uniform> surroundings: Surroundings;
-@group(1) @binding(0) var<storage, read> materials: array<MaterialRecord>;
-@group(1) @binding(1) var<storage, read> lights: array<LightRecord>;
-// The material of each primitive, then the primitives of the tree's leaves.
-@group(2) @binding(0) var<storage, read> indices: array<u32>;
+@group(0) @binding(2) var<uniform> surroundings: Surroundings;
+@group(0) @binding(3) var<uniform> tables: Tables;
+@group(0) @binding(4) var<storage, read_write> hits: array<HitRecord>;
+@group(0) @binding(5) var<storage, read_write> pixels: array<Pixel>;

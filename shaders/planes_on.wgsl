@@ -1,21 +1,27 @@
 // All planes: which one is nearest, and what is found there.
 
-@group(2) @binding(2) var<storage, read> planes: array<Plane>;
+// The plane in a row of the table.
+fn plane_at(row: u32) -> Plane {
+    let point = reals_at(tables.planes, 2u * row).xyz;
+    return Plane(point, reals_at(tables.planes, 2u * row + 1u).xyz);
+}
 
 // Tests every plane of the dispatch.
 fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
-    for (var i = dispatch.planes.begin; i < dispatch.planes.end; i++) {
-        let t = intersect_plane(probe.ray, planes[i].point, planes[i].normal);
-        keep_nearer(hit, t, dispatch.planes.first_id + i);
+    for (var row = dispatch.planes.begin; row < dispatch.planes.end; row++) {
+        let plane = plane_at(row);
+        let t = intersect_plane(probe.ray, plane.point, plane.normal);
+        if may_be_closest(hit, t) {
+            keep_nearer(hit, t, tables.first_plane + row, row);
+        }
     }
 }
 
 // The surface of the plane that was hit.
 fn plane_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
-    let index = hit.id - dispatch.planes.first_id;
-    if index >= dispatch.planes.end {
+    if hit.id < tables.first_plane || hit.id >= tables.first_disk {
         return;
     }
     (*surface).position = vec3<f32>(ray.origin + ray.direction * hit.t);
-    (*surface).normal = vec3<f32>(face_viewer(planes[index].normal, ray.direction));
+    (*surface).normal = vec3<f32>(face_viewer(plane_at(hit.row).normal, ray.direction));
 }

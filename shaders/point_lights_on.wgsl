@@ -20,7 +20,7 @@ fn point_irradiance(light: LightRecord, position: vec3<f32>, normal: vec3<f32>) 
 fn add_point_lights(position: vec3<f32>, normal: vec3<f32>, light: vec3<f32>) -> vec3<f32> {
     var sum = light;
     for (var i = 0u; i < surroundings.point_lights; i++) {
-        sum = sum + point_irradiance(lights[i], position, normal);
+        sum = sum + point_irradiance(light_at(i), position, normal);
     }
     return sum;
 }

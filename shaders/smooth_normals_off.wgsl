@@ -1,7 +1,7 @@
 // A scene without smooth normals: every triangle is flat.
 
 fn shading_normal(
-    index: u32,
+    corners: vec4<u32>,
     weights: vec3<f32>,
     flat_normal: vec3<f32>,
     direction: vec3<f32>,

@@ -1,18 +1,23 @@
 // Normals interpolated between the corners of a triangle.
 
-@group(2) @binding(5) var<storage, read> corner_normals: array<CornerNormals>;
+// The normal at a vertex; zero where it has none.
+fn vertex_normal_at(vertex: u32) -> vec3<f32> {
+    return floats_at(tables.vertex_normals, vertex).xyz;
+}
 
-// The shading normal of triangle `index`: the corners' normals weighted, on
-// the side of the triangle that faces the viewer. Where the corners have no
+// The shading normal of the triangle with these corners: their normals weighted,
+// on the side of the triangle that faces the viewer. Where the corners have no
 // normals, the flat one.
 fn shading_normal(
-    index: u32,
+    corners: vec4<u32>,
     weights: vec3<f32>,
     flat_normal: vec3<f32>,
     direction: vec3<f32>,
 ) -> vec3<f32> {
-    let corners = corner_normals[index];
-    let blend = (corners.a * weights.x + corners.b * weights.y) + corners.c * weights.z;
+    let a = vertex_normal_at(corners.x);
+    let b = vertex_normal_at(corners.y);
+    let c = vertex_normal_at(corners.z);
+    let blend = (a * weights.x + b * weights.y) + c * weights.z;
     if dot_product(blend, blend) == 0.0 {
         return face_viewer(flat_normal, direction);
     }

@@ -1,6 +1,6 @@
 // A scene without spheres.
 
-fn test_sphere(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+fn test_sphere(probe: Probe, row: u32, hit: ptr<function, Hit>) {
 }
 
 fn closest_sphere(probe: Probe, hit: ptr<function, Hit>) {

@@ -1,17 +1,17 @@
 // One invocation a pixel: from its ray to its colour.
 //
-// A tile is a band of rows. It takes one dispatch of `trace_tile` for each run
-// of primitives, with the closest hit carried in `pixels` (t in place of the depth), and
-// one dispatch of `shade_tile` for each set of buffers that primitives lie in.
+// A tile is a band of rows. It takes one dispatch of `trace_tile`, or one for each
+// run of primitives where there are no volumes, with the closest hit carried in
+// `hits`; then one of `shade_tile`.
 
-// What the ray sees at its hit, a primitive of the bound buffers.
+// What the ray sees at its hit.
 fn shade_hit(ray: Ray, hit: Hit) -> Pixel {
     var surface: Surface;
     sphere_surface(ray, hit, &surface);
     plane_surface(ray, hit, &surface);
     disk_surface(ray, hit, &surface);
     triangle_surface(ray, hit, &surface);
-    let material = materials[indices[hit.id - dispatch.first_id]];
+    let material = material_of(hit.id);
     let depth = f32(hit.t * vector_length(ray.direction));
     let color = scattered_light(surface, material.albedo);
     return Pixel(color, depth, surface.normal, hit.id, surface.position, hit.tests);
@@ -23,38 +23,61 @@ fn shade_miss(ray: Ray, hit: Hit) -> Pixel {
     return Pixel(color, 0.0, vec3<f32>(), NO_HIT, vec3<f32>(), hit.tests);
 }
 
+// The bits 0, 2 and 4 of an index, moved together: one coordinate of a place on
+// Morton's curve, the other being that of half the index.
+fn even_bits(index: u32) -> u32 {
+    return (index & 1u) | ((index >> 1u) & 2u) | ((index >> 2u) & 4u);
+}
+
+// The pixel of an invocation, in the tile. A workgroup covers 8 x 8 pixels along
+// Morton's curve, so that neighbours run together; the stride spreads the
+// workgroups that a driver hands to one thread over the whole tile.
+fn tile_pixel(workgroup: u32, lane: u32) -> vec2<u32> {
+    let place = (workgroup * dispatch.stride) % dispatch.workgroups;
+    let across = place % dispatch.workgroups_across;
+    let down = place / dispatch.workgroups_across;
+    return vec2<u32>(8u * across + even_bits(lane), 8u * down + even_bits(lane >> 1u));
+}
+
 // Finds the closest hit of the tile's pixels among the primitives of the
 // dispatch and of those before it.
-@compute @workgroup_size(8, 8)
-fn trace_tile(@builtin(global_invocation_id) at: vec3<u32>) {
+@compute @workgroup_size(64)
+fn trace_tile(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let at = tile_pixel(workgroup.x, lane);
     if at.x >= dispatch.size.x || at.y >= dispatch.rows {
         return;
     }
     let index = at.y * dispatch.size.x + at.x;
     var hit = no_hit();
     if dispatch.fresh == 0u {
-        hit = Hit(pixels[index].depth, pixels[index].id, pixels[index].tests);
+        let record = hits[index];
+        hit = Hit(real(record.t), record.id, record.row, record.tests);
     }
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
     closest_hit(probe_of(ray), &hit);
-    pixels[index].depth = hit.t;
-    pixels[index].id = hit.id;
-    pixels[index].tests = hit.tests;
+    hits[index] = HitRecord(f32(hit.t), hit.id, hit.row, hit.tests);
 }
 
-// Colours the tile's pixels whose closest hit lies in the bound buffers, and
-// those that hit nothing.
-@compute @workgroup_size(8, 8)
-fn shade_tile(@builtin(global_invocation_id) at: vec3<u32>) {
+// Colours the tile's pixels.
+@compute @workgroup_size(64)
+fn shade_tile(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let at = tile_pixel(workgroup.x, lane);
     if at.x >= dispatch.size.x || at.y >= dispatch.rows {
         return;
     }
     let index = at.y * dispatch.size.x + at.x;
-    let hit = Hit(pixels[index].depth, pixels[index].id, pixels[index].tests);
+    let record = hits[index];
+    let hit = Hit(real(record.t), record.id, record.row, record.tests);
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
     if hit.id == NO_HIT {
         pixels[index] = shade_miss(ray, hit);
-    } else if hit.id - dispatch.first_id < dispatch.primitives {
+    } else {
         pixels[index] = shade_hit(ray, hit);
     }
 }

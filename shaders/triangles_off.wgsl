@@ -8,7 +8,7 @@ fn shear_of(ray: Ray) -> Shear {
     return Shear(0u);
 }
 
-fn test_triangle(probe: Probe, index: u32, hit: ptr<function, Hit>) {
+fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
 }
 
 fn closest_triangle(probe: Probe, hit: ptr<function, Hit>) {

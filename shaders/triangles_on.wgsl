@@ -1,35 +1,50 @@
 // All triangles: which one is nearest, and what is found there.
 
-@group(2) @binding(4) var<storage, read> triangles: array<Triangle>;
+// The rows of the three vertices of the triangle in a row of the table, and its id.
+fn corners_at(row: u32) -> vec4<u32> {
+    return fetch(tables.triangles + row);
+}
 
-// Tests one triangle, by its index, within its own box.
-fn test_triangle(probe: Probe, index: u32, hit: ptr<function, Hit>) {
-    let triangle = triangles[index];
+// The triangle with these corners.
+fn triangle_of(corners: vec4<u32>) -> Triangle {
+    return Triangle(
+        reals_at(tables.vertices, corners.x).xyz,
+        reals_at(tables.vertices, corners.y).xyz,
+        reals_at(tables.vertices, corners.z).xyz,
+    );
+}
+
+// Tests the triangle in a row of the table, within its own box.
+fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
+    let corners = corners_at(row);
+    let triangle = triangle_of(corners);
     var t = intersect_triangle(probe.ray, probe.shear, triangle);
     if t < MISS {
         t = clamp_to_box(probe.slabs, triangle_box(vec3<f32>(triangle.a), vec3<f32>(triangle.b), vec3<f32>(triangle.c)), t);
     }
-    keep_nearer(hit, t, dispatch.triangles.first_id + index);
+    if may_be_closest(hit, t) {
+        keep_nearer(hit, t, corners.w, row);
+    }
 }
 
 // Tests every triangle of the dispatch.
 fn closest_triangle(probe: Probe, hit: ptr<function, Hit>) {
-    for (var i = dispatch.triangles.begin; i < dispatch.triangles.end; i++) {
-        test_triangle(probe, i, hit);
+    for (var row = dispatch.triangles.begin; row < dispatch.triangles.end; row++) {
+        test_triangle(probe, row, hit);
     }
 }
 
 // The surface of the triangle that was hit.
 fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
-    let index = hit.id - dispatch.triangles.first_id;
-    if index >= dispatch.triangles.end {
+    if hit.id < tables.first_triangle {
         return;
     }
-    let triangle = triangles[index];
+    let corners = corners_at(hit.row);
+    let triangle = triangle_of(corners);
     let weights = triangle_weights(ray, triangle);
     (*surface).position = vec3<f32>(triangle_point(triangle, weights));
     (*surface).normal = shading_normal(
-        index,
+        corners,
         vec3<f32>(weights),
         vec3<f32>(triangle_normal(triangle)),
         vec3<f32>(ray.direction),

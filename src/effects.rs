@@ -4,6 +4,8 @@
 //! absent, its bindings too. Nothing else in the program asks whether an effect
 //! is on.
 
+use serde::Serialize;
+
 use crate::flat::Counts;
 use crate::gpu::program::Source;
 
@@ -39,6 +41,7 @@ macro_rules! file {
 const ALWAYS: &[Source] = &[
     file!("real_f32.wgsl"),
     file!("layout.wgsl"),
+    file!("scene.wgsl"),
     file!("vector.wgsl"),
     file!("camera.wgsl"),
     file!("aabb.wgsl"),
@@ -54,6 +57,41 @@ pub const DIVIDE_NATIVE: Source = file!("divide_native.wgsl");
 
 /// Division and square root, corrected on a device that rounds them loosely.
 pub const DIVIDE_CORRECTED: Source = file!("divide_corrected.wgsl");
+
+/// How the shader reads the scene: from where a device reads it best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Fetch {
+    /// A storage buffer.
+    Storage,
+    /// A texture of four 32-bit numbers a texel.
+    Texture,
+    /// A uniform buffer, for small scenes.
+    Uniform,
+}
+
+impl Fetch {
+    /// Every way.
+    pub const ALL: [Self; 3] = [Self::Storage, Self::Texture, Self::Uniform];
+
+    /// Its shader file.
+    fn file(self) -> Source {
+        match self {
+            Self::Storage => file!("fetch_storage.wgsl"),
+            Self::Texture => file!("fetch_texture.wgsl"),
+            Self::Uniform => file!("fetch_uniform.wgsl"),
+        }
+    }
+}
+
+/// What a device brings to every shader.
+#[derive(Debug, Clone, Copy)]
+pub struct Device {
+    /// Division and square root.
+    pub divide: Source,
+    /// Where the scene lies.
+    pub fetch: Fetch,
+}
 
 /// Every effect.
 pub const EFFECTS: &[Effect] = &[
@@ -93,7 +131,7 @@ pub const EFFECTS: &[Effect] = &[
     },
     Effect {
         name: "smooth normals",
-        called_for: |counts| counts.corner_normals > 0,
+        called_for: |counts| counts.vertex_normals > 0,
         on: &[file!("smooth_normals_on.wgsl")],
         off: &[file!("smooth_normals_off.wgsl")],
     },
@@ -120,16 +158,15 @@ pub fn effects_of(counts: &Counts) -> Vec<&'static str> {
         .collect()
 }
 
-/// The shader files for a scene, each once, for a device that divides as
-/// `divide` does.
-pub fn shader_files(counts: &Counts, divide: Source) -> Vec<Source> {
-    select_files(|effect| (effect.called_for)(counts), divide)
+/// The shader files for a scene on a device, each once.
+pub fn shader_files(counts: &Counts, device: Device) -> Vec<Source> {
+    select_files(|effect| (effect.called_for)(counts), device)
 }
 
 /// The shader files with exactly the effects that `chosen` accepts.
-pub fn select_files(chosen: impl Fn(&Effect) -> bool, divide: Source) -> Vec<Source> {
+pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Source> {
     let mut files = ALWAYS.to_vec();
-    files.push(divide);
+    files.extend([device.divide, device.fetch.file()]);
     for effect in EFFECTS {
         for file in effect.files(chosen(effect)) {
             if !files.iter().any(|present| present.name == file.name) {

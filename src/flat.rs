@@ -2,15 +2,29 @@
 
 use serde::Serialize;
 
+use crate::bounds::tree::Tree;
 use crate::layout::{
-    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Pair, Plane, Sphere,
-    Surroundings, Triangle,
+    CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane, QUAD, Sphere,
+    Surroundings,
 };
+
+/// The kinds of primitives that a volume may hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u32)]
+pub enum Kind {
+    /// Spheres.
+    Sphere = 0,
+    /// Disks.
+    Disk = 1,
+    /// Triangles.
+    Triangle = 2,
+}
 
 /// A scene as the tracers read it.
 ///
 /// Primitive ids count through the spheres, the planes, the disks and the
-/// triangles, in this order.
+/// triangles, in the order of the scene. The rows of a table may stand in another
+/// order, that of the volumes, so each row tells its id.
 #[derive(Debug, Clone)]
 pub struct Flat<R> {
     /// Width and height in pixels.
@@ -23,22 +37,29 @@ pub struct Flat<R> {
     pub lights: Vec<LightRecord>,
     /// All materials.
     pub materials: Vec<MaterialRecord>,
-    /// The material of each primitive.
+    /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
     pub spheres: Vec<Sphere<R>>,
-    /// All planes.
+    /// The id of each sphere.
+    pub sphere_ids: Vec<u32>,
+    /// All planes, in the order of their ids.
     pub planes: Vec<Plane<R>>,
     /// All disks.
     pub disks: Vec<Disk<R>>,
+    /// The id of each disk.
+    pub disk_ids: Vec<u32>,
     /// All triangles, those of meshes included.
-    pub triangles: Vec<Triangle<R>>,
-    /// The corner normals of each triangle; empty where no triangle has any.
-    pub corner_normals: Vec<CornerNormals>,
-    /// The tree's inner nodes, the root first; empty where there is no tree.
+    pub triangles: Vec<Corners>,
+    /// The vertices of the triangles, camera-relative.
+    pub vertices: Vec<[R; 3]>,
+    /// The normal at each vertex, zero where it has none; empty where no vertex has
+    /// any.
+    pub vertex_normals: Vec<[f32; 3]>,
+    /// The bounding volume hierarchy; empty where there is none.
+    pub tree: Tree,
+    /// The same as [`crate::kernel::tree`] reads it, the root first.
     pub pairs: Vec<Pair>,
-    /// The primitives of the tree's leaves.
-    pub leaf_ids: Vec<u32>,
 }
 
 impl<R> Flat<R> {
@@ -62,6 +83,17 @@ impl<R> Flat<R> {
         self.first_disk() + self.disks.len() as u32
     }
 
+    /// The kind of a primitive that is not a plane, and its number within the kind.
+    pub fn kind_of(&self, id: u32) -> (Kind, u32) {
+        if id < self.first_plane() {
+            (Kind::Sphere, id)
+        } else if id < self.first_triangle() {
+            (Kind::Disk, id - self.first_disk())
+        } else {
+            (Kind::Triangle, id - self.first_triangle())
+        }
+    }
+
     /// How many there are of each kind of thing.
     pub fn counts(&self) -> Counts {
         let point_lights = self.surroundings.point_lights as usize;
@@ -70,7 +102,7 @@ impl<R> Flat<R> {
             planes: self.planes.len(),
             disks: self.disks.len(),
             triangles: self.triangles.len(),
-            corner_normals: self.corner_normals.len(),
+            vertex_normals: self.vertex_normals.len(),
             pairs: self.pairs.len(),
             point_lights,
             directional_lights: self.lights.len() - point_lights,
@@ -78,35 +110,22 @@ impl<R> Flat<R> {
         }
     }
 
-    /// Bytes of the largest array of primitives or of tree nodes.
-    pub fn largest_array(&self) -> u64 {
-        let indices = self.material_indices.len() + self.leaf_ids.len();
-        let sizes = [
-            indices * size_of::<u32>(),
-            size_of_val(self.spheres.as_slice()),
-            size_of_val(self.planes.as_slice()),
-            size_of_val(self.disks.as_slice()),
-            size_of_val(self.triangles.as_slice()),
-            size_of_val(self.corner_normals.as_slice()),
-            size_of_val(self.pairs.as_slice()),
-        ];
-        sizes.into_iter().max().unwrap_or(0) as u64
-    }
-
-    /// Bytes of all the arrays.
+    /// Bytes of the scene as the shaders read it, in quads, and in this width.
     pub fn bytes(&self) -> u64 {
-        let bytes = size_of_val(&self.camera)
-            + size_of_val(&self.surroundings)
-            + size_of_val(self.lights.as_slice())
-            + size_of_val(self.materials.as_slice())
-            + size_of_val(self.material_indices.as_slice())
-            + size_of_val(self.spheres.as_slice())
+        let words = |count: usize| (count * size_of::<u32>()).next_multiple_of(QUAD * 4);
+        let vectors = |count: usize, width: usize| count * QUAD * width;
+        let bytes = size_of_val(self.spheres.as_slice())
+            + words(self.sphere_ids.len())
             + size_of_val(self.planes.as_slice())
             + size_of_val(self.disks.as_slice())
+            + words(self.disk_ids.len())
             + size_of_val(self.triangles.as_slice())
-            + size_of_val(self.corner_normals.as_slice())
+            + vectors(self.vertices.len(), size_of::<R>())
+            + vectors(self.vertex_normals.len(), size_of::<f32>())
             + size_of_val(self.pairs.as_slice())
-            + size_of_val(self.leaf_ids.as_slice());
+            + size_of_val(self.materials.as_slice())
+            + words(self.material_indices.len())
+            + size_of_val(self.lights.as_slice());
         bytes as u64
     }
 
@@ -127,9 +146,9 @@ pub struct Counts {
     pub disks: usize,
     /// Triangles, those of meshes included.
     pub triangles: usize,
-    /// Triangles that may have smooth normals: all or none.
+    /// Vertices that may have normals: all or none.
     #[serde(skip)]
-    pub corner_normals: usize,
+    pub vertex_normals: usize,
     /// Inner nodes of the tree.
     pub pairs: usize,
     /// Point lights.

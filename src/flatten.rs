@@ -4,13 +4,15 @@
 //! a scene far from the origin loses nothing. A transform's translation meets
 //! the camera's position first, then the small coordinates.
 
+use std::collections::HashMap;
+
 use glam::{DMat3, DVec3};
 
+use crate::bounds::tree::Tree;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::{
-    CameraRecord, CornerNormals, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
-    Triangle,
+    CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, Light, Mesh, PixelSampling, Scene, Shape, Transform,
@@ -34,12 +36,15 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
         materials: Vec::new(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
+        sphere_ids: Vec::new(),
         planes: Vec::new(),
         disks: Vec::new(),
+        disk_ids: Vec::new(),
         triangles: Vec::new(),
-        corner_normals: Vec::new(),
+        vertices: Vec::new(),
+        vertex_normals: Vec::new(),
+        tree: Tree::default(),
         pairs: Vec::new(),
-        leaf_ids: Vec::new(),
     };
     for material in &scene.materials {
         flat.materials.push(MaterialRecord {
@@ -113,6 +118,7 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) {
     let eye = scene.camera.eye;
     for shape in &scene.shapes {
         if let Geometry::Sphere { center, radius } = shape.geometry {
+            flat.sphere_ids.push(flat.primitives());
             flat.spheres.push(Sphere {
                 center: real_vector(place(center, &shape.transform, eye)),
                 radius: R::from_f64(radius * uniform_scale(&shape.transform)),
@@ -140,6 +146,7 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) {
             radius,
         } = shape.geometry
         {
+            flat.disk_ids.push(flat.primitives());
             flat.disks.push(Disk {
                 center: real_vector(place(center, &shape.transform, eye)),
                 radius: R::from_f64(radius * uniform_scale(&shape.transform)),
@@ -152,49 +159,52 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) {
     for shape in &scene.shapes {
         match &shape.geometry {
             Geometry::Triangle { vertices } => {
-                let [a, b, c] = vertices.map(|v| place(v, &shape.transform, eye));
-                push_triangle(flat, [a, b, c]);
+                let first = flat.vertices.len() as u32;
+                let id = flat.primitives();
+                let placed = vertices.map(|v| real_vector(place(v, &shape.transform, eye)));
+                flat.vertices.extend(placed);
+                flat.triangles.push(Corners {
+                    vertices: [first, first + 1, first + 2],
+                    id,
+                });
                 flat.material_indices.push(shape.material as u32);
             }
             Geometry::Mesh(mesh) => push_mesh(flat, mesh, shape, eye),
             _ => {}
         }
     }
-    if !flat.corner_normals.is_empty() {
-        flat.corner_normals
-            .resize(flat.triangles.len(), CornerNormals::default());
+    if !flat.vertex_normals.is_empty() {
+        flat.vertex_normals.resize(flat.vertices.len(), [0.0; 3]);
     }
 }
 
 fn push_mesh<R: Real>(flat: &mut Flat<R>, mesh: &Mesh, shape: &Shape, eye: DVec3) {
-    let placed: Vec<DVec3> = mesh
-        .positions
-        .iter()
-        .map(|&p| place(p, &shape.transform, eye))
-        .collect();
-    if !mesh.triangle_normals.is_empty() {
-        flat.corner_normals
-            .resize(flat.triangles.len(), CornerNormals::default());
-        let turned: Vec<[f32; 3]> = mesh
-            .normals
+    let first = flat.vertices.len() as u32;
+    let id = flat.primitives();
+    let placed = |&position: &DVec3| real_vector(place(position, &shape.transform, eye));
+    let corners = |(vertices, id): ([u32; 3], u32)| Corners { vertices, id };
+    if mesh.triangle_normals.is_empty() {
+        flat.vertices.extend(mesh.positions.iter().map(placed));
+        let moved = mesh
+            .triangles
             .iter()
-            .map(|&n| turn(n, &shape.transform).as_vec3().to_array())
-            .collect();
-        flat.corner_normals
-            .extend(mesh.triangle_normals.iter().map(|corners| {
-                let [a, b, c] = corners.map(|corner| turned[corner as usize]);
-                CornerNormals {
-                    a,
-                    padding_0: 0.0,
-                    b,
-                    padding_1: 0.0,
-                    c,
-                    padding_2: 0.0,
-                }
-            }));
-    }
-    for triangle in &mesh.triangles {
-        push_triangle(flat, triangle.map(|corner| placed[corner as usize]));
+            .map(|t| t.map(|vertex| first + vertex));
+        flat.triangles.extend(moved.zip(id..).map(corners));
+    } else {
+        let smooth = SmoothVertices::of(mesh);
+        let places = smooth.vertices.iter();
+        flat.vertices
+            .extend(places.map(|&[position, _]| placed(&mesh.positions[position as usize])));
+        flat.vertex_normals.resize(first as usize, [0.0; 3]);
+        let turned = |normal: u32| turn(mesh.normals[normal as usize], &shape.transform);
+        let normals = smooth.vertices.iter();
+        flat.vertex_normals
+            .extend(normals.map(|&[_, normal]| turned(normal).as_vec3().to_array()));
+        let moved = smooth
+            .triangles
+            .iter()
+            .map(|t| t.map(|vertex| first + vertex));
+        flat.triangles.extend(moved.zip(id..).map(corners));
     }
     if mesh.triangle_materials.is_empty() {
         let materials = flat.material_indices.len() + mesh.triangles.len();
@@ -205,15 +215,47 @@ fn push_mesh<R: Real>(flat: &mut Flat<R>, mesh: &Mesh, shape: &Shape, eye: DVec3
     }
 }
 
-fn push_triangle<R: Real>(flat: &mut Flat<R>, [a, b, c]: [DVec3; 3]) {
-    flat.triangles.push(Triangle {
-        a: real_vector(a),
-        padding_0: R::ZERO,
-        b: real_vector(b),
-        padding_1: R::ZERO,
-        c: real_vector(c),
-        padding_2: R::ZERO,
-    });
+/// The vertices of a mesh with normals: each pair of a position and a normal that
+/// occurs at a corner, once.
+struct SmoothVertices {
+    /// A position's index and a normal's.
+    vertices: Vec<[u32; 2]>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl SmoothVertices {
+    fn of(mesh: &Mesh) -> Self {
+        // Most positions have one normal: it is looked up in a plain array, the
+        // others in a map.
+        const UNSET: u32 = u32::MAX;
+        let mut first = vec![[UNSET; 2]; mesh.positions.len()];
+        let mut others = HashMap::new();
+        let mut vertices = Vec::new();
+        let mut vertex = |position: u32, normal: u32| {
+            let [known, its_normal] = &mut first[position as usize];
+            let mut push = || {
+                vertices.push([position, normal]);
+                vertices.len() as u32 - 1
+            };
+            if *known == UNSET {
+                (*known, *its_normal) = (push(), normal);
+            }
+            if *its_normal == normal {
+                return *known;
+            }
+            *others.entry([position, normal]).or_insert_with(push)
+        };
+        let corners = mesh.triangles.iter().zip(&mesh.triangle_normals);
+        let triangles = corners
+            .map(|(positions, normals)| {
+                std::array::from_fn(|corner| vertex(positions[corner], normals[corner]))
+            })
+            .collect();
+        Self {
+            vertices,
+            triangles,
+        }
+    }
 }
 
 /// From a shape's own coordinates to camera-relative ones.

@@ -2,7 +2,8 @@
 //!
 //! WGSL aligns a `vec3` to four numbers, so every vector here is followed by a
 //! scalar or by padding. A test holds offsets, sizes and strides against naga's
-//! reflection of the shaders, see [`crate::gpu::program`].
+//! reflection of the shaders, see [`crate::gpu::program`]. The scene's own records
+//! are read as quads, four words at once, so their sizes are multiples of 16 bytes.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -10,6 +11,22 @@ use crate::kernel::real::Real;
 
 /// Stands for "no primitive" in a pixel's `id`.
 pub const NO_HIT: u32 = u32::MAX;
+
+/// Words of a quad, the unit in which the shaders read the scene.
+pub const QUAD: usize = 4;
+
+/// Set in a child of a [`Pair`] that is a leaf: primitives of one kind, a run of
+/// rows of its table. The first row is in the lowest bits.
+pub const LEAF: u32 = 1 << 31;
+
+/// The kind of a leaf, a [`crate::flat::Kind`], is at this bit.
+pub const LEAF_KIND: u32 = 29;
+
+/// A leaf's count less one is at this bit, below the kind.
+pub const LEAF_COUNT: u32 = 26;
+
+/// A leaf that no tree has: in place of a pair's index or a leaf, nothing.
+pub const NOWHERE: u32 = u32::MAX;
 
 /// A record that a WGSL struct mirrors.
 pub trait Record {
@@ -131,40 +148,33 @@ real_records! {
 }
 
 records! {
-    /// The normals at a triangle's corners; zero where it has none.
-    CornerNormals {
-        /// At the first corner.
-        a: [f32; 3],
-        /// Unused.
-        padding_0: f32,
-        /// At the second corner.
-        b: [f32; 3],
-        /// Unused.
-        padding_1: f32,
-        /// At the third corner.
-        c: [f32; 3],
-        /// Unused.
-        padding_2: f32,
+    /// A triangle, by its corners.
+    Corners {
+        /// Rows of the three vertices.
+        vertices: [u32; 3],
+        /// The primitive's id.
+        id: u32,
     }
 
-    /// An inner node of the tree: the boxes of its two children, and what they are.
+    /// An inner node of the tree: the boxes of its two children, quantised, and what
+    /// they are.
+    ///
+    /// A child is a leaf if [`LEAF`] is set, else the index of a pair. On each axis,
+    /// the first word holds a step's exponent in its high 8 bits and an origin in
+    /// steps in its low 24, signed; the second word holds the left child's low and
+    /// high plane and the right child's, from the lowest byte up, in steps from the
+    /// origin. Every plane is thus an f32 without rounding.
     Pair {
-        /// The left child's box.
-        left_low: [f32; 3],
-        /// The left child: the index of its pair, or of its first leaf id.
+        /// Along the first axis.
+        x: [u32; 2],
+        /// Along the second axis.
+        y: [u32; 2],
+        /// Along the third axis.
+        z: [u32; 2],
+        /// The left child.
         left: u32,
-        /// The left child's box.
-        left_high: [f32; 3],
-        /// How many leaf ids the left child has; 0 where it is a pair.
-        left_count: u32,
-        /// The right child's box.
-        right_low: [f32; 3],
-        /// As `left`.
+        /// The right child.
         right: u32,
-        /// The right child's box.
-        right_high: [f32; 3],
-        /// As `left_count`.
-        right_count: u32,
     }
 
     /// How a surface answers light.
@@ -205,16 +215,50 @@ records! {
         point_lights: u32,
     }
 
-    /// A run of primitives of one kind.
+    /// Where each table of the scene begins, in quads, and how they are numbered.
+    Tables {
+        /// One quad each.
+        spheres: u32,
+        /// The id of each sphere; four to a quad.
+        sphere_ids: u32,
+        /// Two quads each.
+        planes: u32,
+        /// Two quads each.
+        disks: u32,
+        /// The id of each disk; four to a quad.
+        disk_ids: u32,
+        /// The rows of three vertices, and the id; one quad each.
+        triangles: u32,
+        /// One quad each.
+        vertices: u32,
+        /// One quad each, one to a vertex.
+        vertex_normals: u32,
+        /// Two quads each, the root first.
+        pairs: u32,
+        /// One quad each.
+        materials: u32,
+        /// The material of each id; four to a quad.
+        material_indices: u32,
+        /// Two quads each.
+        lights: u32,
+        /// How many lights there are.
+        light_count: u32,
+        /// The first plane's id: so many spheres there are.
+        first_plane: u32,
+        /// The first disk's id.
+        first_disk: u32,
+        /// The first triangle's id.
+        first_triangle: u32,
+    }
+
+    /// A run of primitives of one kind, as rows of its table.
     Run {
-        /// First index into the kind's buffer.
+        /// The first.
         begin: u32,
         /// One past the last.
         end: u32,
-        /// The primitive id of index 0 of the kind's buffer.
-        first_id: u32,
-        /// Unused.
-        padding: u32,
+        /// Unused: a struct in a uniform takes whole quads.
+        padding: [u32; 2],
     }
 
     /// What one dispatch is to do.
@@ -233,14 +277,26 @@ records! {
         disks: Run,
         /// The triangles to test.
         triangles: Run,
-        /// The primitive id of index 0 of the material buffer.
-        first_id: u32,
-        /// How many primitives the bound buffers hold.
-        primitives: u32,
         /// 1 in a tile's first dispatch, which starts from "no hit", else 0.
         fresh: u32,
-        /// Unused.
-        padding: u32,
+        /// How many workgroups there are.
+        workgroups: u32,
+        /// How many workgroups stand side by side.
+        workgroups_across: u32,
+        /// From one workgroup's place to the next one's; coprime to `workgroups`.
+        stride: u32,
+    }
+
+    /// A pixel's closest hit so far, carried from one dispatch to the next.
+    HitRecord {
+        /// The ray's parameter there.
+        t: f32,
+        /// The primitive, or [`NO_HIT`].
+        id: u32,
+        /// Its row in its kind's table.
+        row: u32,
+        /// Shapes tested on the way.
+        tests: u32,
     }
 
     /// What is known of a pixel.

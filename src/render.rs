@@ -259,13 +259,13 @@ fn trace_on_gpu(
     watch: &dyn Watch,
     keep: &mut KeepRows<'_>,
 ) -> Result<()> {
-    let outcome = gpu::render::render(gpu, flat, Portions::of(gpu), watch, keep);
+    let outcome = gpu::render::render(gpu, flat, Portions::default(), watch, keep);
     let Err(Error::DeviceLost(reason)) = outcome else {
         return outcome;
     };
     tracing::warn!("the device was lost ({reason}); opening it anew");
     let gpu = gpu.reopen()?;
-    gpu::render::render(&gpu, flat, Portions::of(&gpu), watch, keep)
+    gpu::render::render(&gpu, flat, Portions::default(), watch, keep)
 }
 
 fn milliseconds(since: Instant) -> f64 {

@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex};
 use common::{BRUTE_FORCE, assert_same_bits, compare, gpu, on_cpu, on_gpu, scene};
 use glam::{DMat3, DVec3};
 use rayproof::bounds::{Bounds, bound};
+use rayproof::effects::Fetch;
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::layout::Pixel;
@@ -171,7 +172,7 @@ fn a_spent_loop_budget_is_an_error() {
     let scene = mesh_scene(Builtin::Icosphere, 300_000, 1);
     let unbounded = Portions {
         primitives_per_dispatch: u32::MAX,
-        ..Portions::of(&gpu)
+        ..Portions::default()
     };
     let outcome = render_in(&scene, unbounded);
     if gpu.arithmetic.loop_budget.is_some() {
@@ -180,34 +181,37 @@ fn a_spent_loop_budget_is_an_error() {
     } else {
         outcome.unwrap();
     }
-    render_in(&scene, Portions::of(&gpu)).unwrap();
+    render_in(&scene, Portions::default()).unwrap();
 }
 
-/// However the primitives are cut into buffers and dispatches, the picture is
-/// the same.
+/// However the primitives are cut into dispatches, and wherever the scene lies, the
+/// picture is the same.
 #[test]
-fn buffers_and_dispatches_do_not_show() {
-    let gpu = gpu();
-    let scene = scene("shapes").with_size(64, 64);
-    let whole = render_in(&scene, Portions::of(&gpu)).unwrap();
-    for binding_bytes in [48, 96, 200] {
-        let cut = Portions {
-            binding_bytes,
-            ..Portions::of(&gpu)
-        };
-        assert_eq!(
-            render_in(&scene, cut).unwrap(),
-            whole,
-            "{binding_bytes} bytes a binding"
-        );
+fn dispatches_and_memories_do_not_show() {
+    let shapes = scene("shapes").with_size(64, 64);
+    let teapot = mesh_scene(Builtin::Teapot, 600, 48);
+    for scene in [shapes, teapot] {
+        let whole = render_in(&scene, Portions::default()).unwrap();
+        for fetch in Fetch::ALL {
+            let cut = Portions {
+                primitives_per_dispatch: 100,
+                fetch: Some(fetch),
+            };
+            assert_eq!(render_in(&scene, cut).unwrap(), whole, "{fetch:?}");
+        }
     }
-    let scene = mesh_scene(Builtin::Teapot, 2464, 48);
-    let whole = render_in(&scene, Portions::of(&gpu)).unwrap();
-    let cut = Portions {
-        primitives_per_dispatch: 100,
-        binding_bytes: 48 * 77,
+}
+
+/// What does not fit is refused with figures.
+#[test]
+fn a_scene_too_large_for_its_memory_is_refused() {
+    let portions = Portions {
+        fetch: Some(Fetch::Uniform),
+        ..Portions::default()
     };
-    assert_eq!(render_in(&scene, cut).unwrap(), whole);
+    let scene = mesh_scene(Builtin::Icosphere, 20_000, 16);
+    let error = render_in(&scene, portions).unwrap_err().to_string();
+    assert!(error.contains("reads 65536 at most"), "{error}");
 }
 
 /// Destroys the device at the first sign of progress.
@@ -257,7 +261,7 @@ fn a_lost_device_gives_no_picture() {
     let outcome = render(
         device,
         &flatten(&scene),
-        Portions::of(device),
+        Portions::default(),
         &watch,
         &mut |_, _| rows += 1,
     );
@@ -306,7 +310,7 @@ fn the_pace_of_a_tree_is_not_that_of_brute_force() {
     let mut flat = flatten::<f32>(&scene);
     bound(&mut flat, Bounds::Tree);
     let listener = Listener::default();
-    render(&gpu, &flat, Portions::of(&gpu), &listener, &mut |_, _| {}).unwrap();
+    render(&gpu, &flat, Portions::default(), &listener, &mut |_, _| {}).unwrap();
     let told = listener.0.into_inner().unwrap();
     assert!((told[told.len() - 1] - 1.0).abs() < 1e-9, "{told:?}");
     // 64 would be tiles of the least height, 8 rows.

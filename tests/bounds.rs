@@ -9,20 +9,21 @@ use common::{BRUTE_FORCE, assert_same_bits, gpu, scene};
 use glam::{DMat3, DVec3};
 use rayproof::bounds::tree::{Tree, build};
 use rayproof::bounds::{Bounds, bound, primitive_boxes, validate};
-use rayproof::flat::Flat;
+use rayproof::flat::{Flat, Kind};
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
-use rayproof::kernel::aabb::{ball_box, clamp_to_box, triangle_box};
+use rayproof::kernel::aabb::{Aabb, ball_box, clamp_to_box, triangle_box};
 use rayproof::kernel::camera::camera_ray;
 use rayproof::kernel::disk::intersect_disk;
 use rayproof::kernel::probe::probe_of;
 use rayproof::kernel::real::Real;
 use rayproof::kernel::sphere::intersect_sphere;
 use rayproof::kernel::trace::trace_pixel;
-use rayproof::kernel::tree::GIVEN_UP;
+use rayproof::kernel::tree::{GIVEN_UP, children_of};
 use rayproof::kernel::triangle::intersect_triangle;
+use rayproof::kernel::triangles::triangle_of;
 use rayproof::kernel::vector::Vec3;
-use rayproof::layout::Pixel;
+use rayproof::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NOWHERE, Pair, Pixel};
 use rayproof::render::Settings;
 use rayproof::scene::mesh::Builtin;
 use rayproof::scene::{Geometry, Material, Mesh, PixelSampling, Shape, Transform};
@@ -231,13 +232,14 @@ fn accepted(
             ball_box(Vec3::from(disk.center), disk.radius),
         )
     });
-    let triangles = flat.triangles.iter().map(|triangle| {
+    let triangles = flat.triangles.iter().map(|&corners| {
+        let triangle = triangle_of(flat, corners);
         let own = triangle_box(
             Vec3::from(triangle.a),
             Vec3::from(triangle.b),
             Vec3::from(triangle.c),
         );
-        (intersect_triangle(probe.ray, probe.shear, triangle), own)
+        (intersect_triangle(probe.ray, probe.shear, &triangle), own)
     });
     spheres
         .chain(disks)
@@ -246,20 +248,31 @@ fn accepted(
         .collect()
 }
 
-fn knot_tree() -> (Tree, Vec<(rayproof::kernel::aabb::Aabb, u32)>) {
+fn knot_tree() -> (Tree, Flat<f32>) {
     let mesh = rayproof::scene::mesh::build(Builtin::Knot, 5000);
-    let items = primitive_boxes(&flatten::<f32>(&mesh_scene(mesh, DVec3::Z)));
-    (build(items.clone()), items)
+    let flat = flatten::<f32>(&mesh_scene(mesh, DVec3::Z));
+    (tree_over(&flat, usize::MAX), flat)
+}
+
+/// A tree over the first `count` primitives.
+fn tree_over(flat: &Flat<f32>, count: usize) -> Tree {
+    let items = primitive_boxes(flat).into_iter().take(count).collect();
+    build(items, &|id| flat.kind_of(id).0)
+}
+
+fn fault_of(tree: &Tree, flat: &Flat<f32>, count: usize) -> Result<(), String> {
+    let items: Vec<_> = primitive_boxes(flat).into_iter().take(count).collect();
+    validate(tree, &items, &|id| flat.kind_of(id).0)
 }
 
 #[test]
 fn built_trees_are_valid() {
-    let (tree, items) = knot_tree();
-    validate(&tree, &items).unwrap();
+    let (tree, flat) = knot_tree();
+    fault_of(&tree, &flat, usize::MAX).unwrap();
     for seed in 0..20 {
-        let items = primitive_boxes(&flatten::<f32>(&random_scene(seed, 1.0)));
-        for count in [0, 1, 2, 3, 5, items.len()] {
-            validate(&build(items[..count].to_vec()), &items[..count]).unwrap();
+        let flat = flatten::<f32>(&random_scene(seed, 1.0));
+        for count in [0, 1, 2, 3, 5, usize::MAX] {
+            fault_of(&tree_over(&flat, count), &flat, count).unwrap();
         }
     }
 }
@@ -267,29 +280,98 @@ fn built_trees_are_valid() {
 /// The controls: each fault of a tree is found.
 #[test]
 fn broken_trees_are_not_valid() {
-    let (tree, items) = knot_tree();
+    let (tree, flat) = knot_tree();
     let fault = |spoil: &dyn Fn(&mut Tree)| {
         let mut broken = tree.clone();
         spoil(&mut broken);
-        validate(&broken, &items).unwrap_err()
+        fault_of(&broken, &flat, usize::MAX).unwrap_err()
     };
-    let leaf = tree
-        .pairs
+    let leaf = tree.nodes.iter().position(|node| node.count > 1).unwrap();
+    let inner = 1 + tree.nodes[1..]
         .iter()
-        .position(|pair| pair.left_count > 0)
+        .position(|node| node.count == 0)
         .unwrap();
-    let inner = tree
-        .pairs
-        .iter()
-        .position(|pair| pair.left_count == 0)
-        .unwrap();
-    assert!(fault(&|tree| tree.pairs[leaf].left_high[1] -= 0.01).contains("sticks out"));
-    assert!(fault(&|tree| tree.pairs[inner].left_low[0] += 0.01).contains("sticks out"));
-    assert!(fault(&|tree| tree.pairs[inner].left = 0).contains("reached twice"));
-    assert!(fault(&|tree| tree.pairs[inner].left = 1 << 20).contains("there is no pair"));
-    assert!(fault(&|tree| tree.pairs[leaf].left_count = 1 << 20).contains("no leaf ids"));
-    assert!(fault(&|tree| tree.leaf_ids[7] = tree.leaf_ids[8]).contains("in two leaves"));
-    assert!(fault(&|tree| tree.leaf_ids[7] = 1 << 20).contains("is in no leaf"));
+    assert!(fault(&|tree| tree.nodes[leaf].aabb.high.y -= 0.01).contains("sticks out"));
+    assert!(fault(&|tree| tree.nodes[inner].aabb.low.x += 0.01).contains("sticks out"));
+    assert!(fault(&|tree| tree.nodes[inner].first = 0).contains("reached twice"));
+    assert!(fault(&|tree| tree.nodes[inner].first = 1 << 20).contains("there is no node"));
+    assert!(fault(&|tree| tree.nodes[leaf].count = 9).contains("a leaf has 9"));
+    assert!(fault(&|tree| tree.nodes[leaf].first = 1 << 20).contains("there are no ids"));
+    assert!(fault(&|tree| tree.ids[7] = tree.ids[8]).contains("in two leaves"));
+    assert!(fault(&|tree| tree.ids[7] = 1 << 20).contains("is in no leaf"));
+    let split_leaf = |id| {
+        if id % 2 == 0 {
+            Kind::Sphere
+        } else {
+            Kind::Disk
+        }
+    };
+    let items = primitive_boxes(&flat);
+    let error = validate(&tree, &items, &split_leaf).unwrap_err();
+    assert!(error.contains("share a leaf"), "{error}");
+}
+
+/// The packed boxes hold the tree's, at every scale, and hardly more; the leaves are
+/// the same.
+#[test]
+fn pairs_hold_the_tree() {
+    let mut scenes: Vec<Scene> = (0..13)
+        .map(|seed| random_scene(seed, 10f64.powi(2 * seed as i32 - 12)))
+        .collect();
+    scenes.push(mesh_scene(
+        rayproof::scene::mesh::build(Builtin::Knot, 5000),
+        DVec3::Z,
+    ));
+    for scene in scenes {
+        let mut flat = flatten::<f32>(&scene);
+        bound(&mut flat, Bounds::Tree);
+        let inner: Vec<_> = flat
+            .tree
+            .nodes
+            .iter()
+            .filter(|node| node.count == 0)
+            .collect();
+        assert_eq!(inner.len(), flat.pairs.len());
+        for (node, pair) in inner.iter().zip(&flat.pairs) {
+            let children = children_of(pair);
+            let left = flat.tree.nodes[node.first as usize];
+            let right = flat.tree.nodes[node.first as usize + 1];
+            assert!(holds(children.left_low, children.left_high, left.aabb));
+            assert!(holds(children.right_low, children.right_high, right.aabb));
+            let extent = node.aabb.high - node.aabb.low;
+            let [x, y, z] = [
+                (children.left_low.x, left.aabb.low.x, extent.x),
+                (children.left_low.y, left.aabb.low.y, extent.y),
+                (children.left_low.z, left.aabb.low.z, extent.z),
+            ]
+            .map(|(packed, exact, extent)| exact - packed <= extent / 120.0);
+            assert!(x && y && z, "{children:?} of {left:?}");
+            for (child, node) in [(children.left, left), (children.right, right)] {
+                assert_eq!(child & LEAF == 0, node.count == 0);
+                if node.count > 0 {
+                    let id = flat.tree.ids[node.first as usize];
+                    let (kind, _) = flat.kind_of(id);
+                    let row = (child & ((1 << LEAF_COUNT) - 1)) as usize;
+                    let found = match kind {
+                        Kind::Sphere => flat.sphere_ids[row],
+                        Kind::Disk => flat.disk_ids[row],
+                        Kind::Triangle => flat.triangles[row].id,
+                    };
+                    assert_eq!(found, id);
+                    assert_eq!((child >> LEAF_KIND) & 3, kind as u32);
+                }
+            }
+        }
+    }
+}
+
+fn holds(low: Vec3<f32>, high: Vec3<f32>, inner: Aabb) -> bool {
+    low.x <= inner.low.x
+        && low.y <= inner.low.y
+        && low.z <= inner.low.z
+        && high.x >= inner.high.x
+        && high.y >= inner.high.y
+        && high.z >= inner.high.z
 }
 
 /// A tree with a cycle gives up, on both tracers, and does not hang.
@@ -299,16 +381,22 @@ fn a_cycle_ends() {
     let scene = mesh_scene(mesh, DVec3::new(0.0, 0.0, 4.0));
     let mut flat = flatten::<f32>(&scene);
     bound(&mut flat, Bounds::Tree);
-    let [low, high] = [[f32::MIN / 4.0; 3], [f32::MAX / 4.0; 3]];
-    let root = &mut flat.pairs[0];
-    (root.left, root.left_count, root.left_low, root.left_high) = (0, 0, low, high);
+    // A step of 2^100: the left child, the root again, is everywhere, and the right
+    // one a point in the corner.
+    let everywhere = [227 << 24 | 0x00ff_ff81, 0xff_ff_ff_00];
+    flat.pairs[0] = Pair {
+        x: everywhere,
+        y: everywhere,
+        z: everywhere,
+        left: 0,
+        right: NOWHERE,
+    };
     assert_eq!(trace_pixel(&flat, 0, 0).tests, GIVEN_UP);
-    let gpu = gpu();
     let mut pixels = Vec::new();
     render(
-        &gpu,
+        &gpu(),
         &flat,
-        Portions::of(&gpu),
+        Portions::default(),
         &Unwatched,
         &mut |_, rows| {
             pixels.extend_from_slice(rows);
@@ -318,35 +406,32 @@ fn a_cycle_ends() {
     assert_eq!(pixels[0].tests, GIVEN_UP);
 }
 
-/// A scene that does not fit one binding is traced without volumes, and right.
+/// More than lavapipe's 128 MiB a storage binding: read from a texture, and right.
 #[test]
-fn a_tree_that_does_not_fit_is_left_out() {
-    let mesh = rayproof::scene::mesh::build(Builtin::Knot, 2000);
-    let mut flat = flatten::<f32>(&mesh_scene(mesh, DVec3::new(0.0, 0.0, 4.0)));
+fn a_mesh_past_the_storage_binding() {
     let gpu = gpu();
-    let on_gpu = |flat: &Flat<f32>, binding_bytes: u64| {
-        let mut pixels = Vec::new();
-        let portions = Portions {
-            binding_bytes,
-            ..Portions::of(&gpu)
-        };
-        render(&gpu, flat, portions, &Unwatched, &mut |_, rows| {
-            pixels.extend_from_slice(rows);
-        })
-        .unwrap();
-        pixels
-    };
-    let reference = on_gpu(&flat, 1 << 27);
+    let mesh = rayproof::scene::mesh::build(Builtin::Icosphere, 4_000_000);
+    let mut flat = flatten::<f32>(&mesh_scene(mesh, DVec3::new(0.0, 0.0, 3.0)));
     bound(&mut flat, Bounds::Tree);
-    let largest = flat.largest_array();
-    assert_eq!(on_gpu(&flat, largest - 1), reference);
-    // The control: where it fits, it is used.
-    let with_tree = on_gpu(&flat, largest);
-    assert!(
-        with_tree
-            .iter()
-            .all(|pixel| pixel.tests < reference[0].tests)
-    );
+    assert!(flat.bytes() > 128 << 20, "{} bytes", flat.bytes());
+    let mut different = 0;
+    let mut tests = 0;
+    render(
+        &gpu,
+        &flat,
+        Portions::default(),
+        &Unwatched,
+        &mut |row, rows| {
+            for (pixel, index) in rows.iter().zip(0..) {
+                let y = row + index / flat.size[0];
+                different += u32::from(*pixel != trace_pixel(&flat, index % flat.size[0], y));
+                tests += pixel.tests;
+            }
+        },
+    )
+    .unwrap();
+    assert_eq!(different, 0);
+    assert!(tests > 1000, "{tests} shape tests");
 }
 
 /// The control of the comparison: a box that is too small loses hits, and that is
@@ -379,8 +464,8 @@ fn a_box_that_is_too_small_is_noticed() {
     let mut small = plain.clone();
     bound(&mut small, Bounds::Tree);
     for pair in &mut small.pairs {
-        pair.left_high[0] -= 0.6;
-        pair.right_high[0] -= 0.6;
+        // The origin of the first axis, a few steps further on.
+        pair.x[0] = pair.x[0] & !0x00ff_ffff | (pair.x[0] + 70) & 0x00ff_ffff;
     }
     let lost = (0..64 * 64)
         .filter(|pixel| {

@@ -1,11 +1,16 @@
 //! Host structs and bindings against naga's reflection of the shaders.
 
-use rayproof::effects::{DIVIDE_CORRECTED, DIVIDE_NATIVE, EFFECTS, select_files};
+use rayproof::effects::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Fetch, select_files};
 use rayproof::gpu::program::{Access, Binding, Program, StructLayout, struct_layout};
 use rayproof::layout::*;
 
+const NATIVE: Device = Device {
+    divide: DIVIDE_NATIVE,
+    fetch: Fetch::Storage,
+};
+
 fn all_effects() -> Program {
-    Program::build(&select_files(|_| true, DIVIDE_NATIVE)).unwrap()
+    Program::build(&select_files(|_| true, NATIVE)).unwrap()
 }
 
 /// What differs between a host struct and its WGSL struct.
@@ -30,13 +35,13 @@ fn host_structs_lie_as_the_shaders_read_them() {
         mismatch::<Plane<f32>>(&program),
         mismatch::<Disk<f32>>(&program),
         mismatch::<Triangle<f32>>(&program),
-        mismatch::<CornerNormals>(&program),
-        mismatch::<Pair>(&program),
         mismatch::<MaterialRecord>(&program),
         mismatch::<LightRecord>(&program),
         mismatch::<Surroundings>(&program),
+        mismatch::<Tables>(&program),
         mismatch::<Run>(&program),
         mismatch::<Dispatch>(&program),
+        mismatch::<HitRecord>(&program),
         mismatch::<Pixel>(&program),
     ]
     .into_iter()
@@ -101,42 +106,38 @@ fn a_wrong_layout_is_noticed() {
 /// the numbers.
 #[test]
 fn bindings_are_these() {
-    let expected = [
-        ("dispatch", 0, 0, Access::Uniform),
-        ("camera", 0, 1, Access::Uniform),
-        ("pixels", 0, 2, Access::Write),
-        ("surroundings", 0, 3, Access::Uniform),
-        ("materials", 1, 0, Access::Read),
-        ("lights", 1, 1, Access::Read),
-        ("indices", 2, 0, Access::Read),
-        ("spheres", 2, 1, Access::Read),
-        ("planes", 2, 2, Access::Read),
-        ("disks", 2, 3, Access::Read),
-        ("triangles", 2, 4, Access::Read),
-        ("corner_normals", 2, 5, Access::Read),
-        ("pairs", 2, 6, Access::Read),
-    ]
-    .map(|(name, group, binding, access)| Binding {
-        name: name.to_string(),
-        group,
-        binding,
-        access,
-    });
-    let bindings = all_effects().bindings;
-    assert_eq!(bindings, expected);
-    // SwiftShader binds no more.
-    let storage = bindings
-        .iter()
-        .filter(|binding| binding.access != Access::Uniform)
-        .count();
-    assert!(storage <= 10);
+    let expected = |access| {
+        [
+            ("dispatch", 0, 0, Access::Uniform),
+            ("camera", 0, 1, Access::Uniform),
+            ("surroundings", 0, 2, Access::Uniform),
+            ("tables", 0, 3, Access::Uniform),
+            ("hits", 0, 4, Access::Write),
+            ("pixels", 0, 5, Access::Write),
+            ("scene", 1, 0, access),
+        ]
+        .map(|(name, group, binding, access)| Binding {
+            name: name.to_string(),
+            group,
+            binding,
+            access,
+        })
+    };
+    for (fetch, access) in [
+        (Fetch::Storage, Access::Read),
+        (Fetch::Texture, Access::Texture),
+        (Fetch::Uniform, Access::Uniform),
+    ] {
+        let device = Device { fetch, ..NATIVE };
+        let program = Program::build(&select_files(|_| true, device)).unwrap();
+        assert_eq!(program.bindings, expected(access));
+    }
 }
 
 /// Every combination of effects is a valid module, and an effect that is off
-/// leaves no binding behind.
+/// leaves no function behind.
 #[test]
 fn every_combination_of_effects_compiles() {
-    let own = ["spheres", "planes", "disks", "triangles"];
     for choice in 0..1u32 << EFFECTS.len() {
         let on = |name: &str| {
             EFFECTS
@@ -144,27 +145,36 @@ fn every_combination_of_effects_compiles() {
                 .position(|effect| effect.name == name)
                 .is_some_and(|index| choice >> index & 1 == 1)
         };
-        let divide = if choice % 2 == 0 {
-            DIVIDE_NATIVE
-        } else {
-            DIVIDE_CORRECTED
+        let device = Device {
+            divide: if choice % 2 == 0 {
+                DIVIDE_NATIVE
+            } else {
+                DIVIDE_CORRECTED
+            },
+            fetch: Fetch::ALL[choice as usize % 3],
         };
-        let program = Program::build(&select_files(|effect| on(effect.name), divide)).unwrap();
-        let bound = |name: &str| program.bindings.iter().any(|binding| binding.name == name);
-        for name in own {
-            assert_eq!(bound(name), on(name), "{name} in combination {choice:b}");
+        let files = select_files(|effect| on(effect.name), device);
+        let program = Program::build(&files).unwrap();
+        let functions = &program.module.functions;
+        let defines = |name: &str| {
+            functions
+                .iter()
+                .any(|(_, f)| f.name.as_deref() == Some(name))
+        };
+        for (effect, function) in [
+            ("spheres", "intersect_sphere"),
+            ("disks", "intersect_disk"),
+            ("triangles", "intersect_triangle"),
+            ("tree", "children_of"),
+            ("point lights", "point_irradiance"),
+            ("directional lights", "directional_irradiance"),
+        ] {
+            assert_eq!(defines(function), on(effect), "{effect} in {choice:b}");
         }
-        if on("tree") {
-            assert!(bound("pairs"));
-        }
-        assert_eq!(
-            bound("lights"),
-            on("point lights") || on("directional lights")
-        );
-        assert_eq!(
-            bound("corner_normals"),
-            on("triangles") && on("smooth normals")
-        );
+        let smooth = on("triangles") && on("smooth normals");
+        assert_eq!(defines("vertex_normal_at"), smooth, "{choice:b}");
+        let planes = on("planes") || on("disks");
+        assert_eq!(defines("intersect_plane"), planes, "{choice:b}");
     }
 }
 
@@ -172,7 +182,7 @@ fn every_combination_of_effects_compiles() {
 #[test]
 fn errors_name_the_shader_file() {
     use rayproof::gpu::program::Source;
-    let mut files = select_files(|_| true, DIVIDE_NATIVE);
+    let mut files = select_files(|_| true, NATIVE);
     files.push(Source {
         name: "broken.wgsl",
         text: "fn fine() {}\n\nfn broken() { return 1.0; }\n",

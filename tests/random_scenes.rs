@@ -14,9 +14,15 @@ use rayproof::layout::Pixel;
 
 fn gpu_pixels(gpu: &Gpu, flat: &Flat<f32>) -> Vec<Pixel> {
     let mut pixels = Vec::new();
-    render(gpu, flat, Portions::of(gpu), &Unwatched, &mut |_, rows| {
-        pixels.extend_from_slice(rows);
-    })
+    render(
+        gpu,
+        flat,
+        Portions::default(),
+        &Unwatched,
+        &mut |_, rows| {
+            pixels.extend_from_slice(rows);
+        },
+    )
     .unwrap();
     pixels
 }

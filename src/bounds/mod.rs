@@ -1,8 +1,11 @@
 //! Bounding volumes: rays that miss a volume skip what is in it.
 //!
 //! [`tree`] builds a bounding volume hierarchy over all primitives but the
-//! planes; `validate` proves a built tree.
+//! planes, and `validate` proves a built tree; `arrange` puts the primitives into
+//! its order; [`pairs`] packs it for the shaders.
 
+mod arrange;
+pub mod pairs;
 pub mod tree;
 mod validate;
 
@@ -10,9 +13,13 @@ pub use validate::validate;
 
 use serde::Serialize;
 
+use self::arrange::arrange;
+use self::pairs::pack_pairs;
+use self::tree::Tree;
 use crate::flat::Flat;
 use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
 use crate::kernel::real::Real;
+use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::Vec3;
 
 /// The volumes in use. They never change the picture.
@@ -38,12 +45,15 @@ impl Bounds {
 
 /// Builds the volumes of a flattened scene.
 pub fn bound<R: Real>(flat: &mut Flat<R>, bounds: Bounds) {
-    let tree = match bounds {
-        Bounds::None => tree::Tree::default(),
-        Bounds::Tree => tree::build(primitive_boxes(flat)),
+    flat.tree = match bounds {
+        Bounds::None => Tree::default(),
+        Bounds::Tree => tree::build(primitive_boxes(flat), &|id| flat.kind_of(id).0),
     };
-    flat.pairs = tree.pairs;
-    flat.leaf_ids = tree.leaf_ids;
+    let rows = arrange(flat);
+    flat.pairs = pack_pairs(&flat.tree, |first| {
+        let (kind, _) = flat.kind_of(flat.tree.ids[first as usize]);
+        (kind, rows[first as usize])
+    });
 }
 
 /// The box of each primitive but the planes, which have none, with its id: the
@@ -53,18 +63,21 @@ pub fn primitive_boxes<R: Real>(flat: &Flat<R>) -> Vec<(Aabb, u32)> {
     let spheres = flat
         .spheres
         .iter()
-        .map(|sphere| ball(sphere.center, sphere.radius));
-    let disks = flat.disks.iter().map(|disk| ball(disk.center, disk.radius));
-    let triangles = flat.triangles.iter().map(|triangle| {
-        triangle_box(
+        .map(|sphere| ball(sphere.center, sphere.radius))
+        .zip(flat.sphere_ids.iter().copied());
+    let disks = flat
+        .disks
+        .iter()
+        .map(|disk| ball(disk.center, disk.radius))
+        .zip(flat.disk_ids.iter().copied());
+    let triangles = flat.triangles.iter().map(|&corners| {
+        let triangle = triangle_of(flat, corners);
+        let own = triangle_box(
             Vec3::from(triangle.a).to_f32(),
             Vec3::from(triangle.b).to_f32(),
             Vec3::from(triangle.c).to_f32(),
-        )
+        );
+        (own, corners.id)
     });
-    let after_planes = flat.first_disk()..;
-    spheres
-        .zip(0..)
-        .chain(disks.chain(triangles).zip(after_planes))
-        .collect()
+    spheres.chain(disks).chain(triangles).collect()
 }

@@ -2,10 +2,10 @@
 //! heuristic: Wald, "On fast Construction of SAH-based Bounding Volume
 //! Hierarchies", IEEE Symposium on Interactive Ray Tracing, 2007.
 
+use crate::flat::Kind;
 use crate::kernel::aabb::Aabb;
 use crate::kernel::tree::STACK;
 use crate::kernel::vector::{Vec3, vec3};
-use crate::layout::Pair;
 
 /// Bins an axis is cut into. More than 16 hardly improves a tree (Wald 2007,
 /// section 4).
@@ -27,40 +27,55 @@ const PARALLEL: usize = 4096;
 /// A box with its primitive's id.
 type Item = (Aabb, u32);
 
+/// A node of a tree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node {
+    /// Holds all below it.
+    pub aabb: Aabb,
+    /// A leaf's first index into [`Tree::ids`]; else the index of the left child,
+    /// which the right one follows.
+    pub first: u32,
+    /// How many ids a leaf has; 0 where the node is none.
+    pub count: u32,
+}
+
 /// A finished tree.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Tree {
-    /// Inner nodes, the root first.
-    pub pairs: Vec<Pair>,
-    /// The primitives of the leaves.
-    pub leaf_ids: Vec<u32>,
+    /// The root first, siblings side by side.
+    pub nodes: Vec<Node>,
+    /// The primitives of the leaves; those of one leaf are of one kind.
+    pub ids: Vec<u32>,
 }
 
 /// A node on the way to its place in the arrays.
-enum Node {
+enum Draft {
     Leaf(Aabb, Vec<u32>),
-    Inner(Aabb, Box<[Node; 2]>),
+    Inner(Aabb, Box<[Draft; 2]>),
 }
 
 /// Builds a tree over the boxes; an empty one over fewer than two, which no volume
 /// helps.
-pub fn build(mut items: Vec<Item>) -> Tree {
+pub fn build(mut items: Vec<Item>, kind_of: &(dyn Fn(u32) -> Kind + Sync)) -> Tree {
     let mut tree = Tree::default();
-    if let Node::Inner(_, children) = subtree(&mut items, 0) {
-        tree.pairs.push(Pair::default());
-        place(&mut tree, 0, *children);
+    if items.len() > 1 {
+        let root = subtree(&mut items, 0, kind_of);
+        tree.nodes.push(UNPLACED);
+        place(&mut tree, 0, root);
     }
     tree
 }
 
-fn subtree(items: &mut [Item], depth: usize) -> Node {
+fn subtree(items: &mut [Item], depth: usize, kind_of: &(dyn Fn(u32) -> Kind + Sync)) -> Draft {
     let bounds = items.iter().fold(EMPTY, |sum, (aabb, _)| union(sum, *aabb));
-    let leaf = |items: &[Item]| Node::Leaf(bounds, items.iter().map(|(_, id)| *id).collect());
+    let leaf = |items: &[Item]| Draft::Leaf(bounds, items.iter().map(|(_, id)| *id).collect());
     if items.len() < 2 {
         return leaf(items);
     }
     // The root is a pair in any case.
-    let small = items.len() <= LEAF && depth > 0;
+    let kind = kind_of(items[0].1);
+    let small =
+        items.len() <= LEAF && depth > 0 && items.iter().all(|item| kind_of(item.1) == kind);
     let middle = match if depth < DEEP {
         best_split(items, bounds)
     } else {
@@ -71,18 +86,32 @@ fn subtree(items: &mut [Item], depth: usize) -> Node {
         }
         Some(split) => partition(items, &split),
         None if small => return leaf(items),
-        // Equal centroids, or too deep: any half is as good.
-        None => items.len() / 2,
+        // Equal centroids, or too deep: any half is as good, and of few, each kind.
+        None => {
+            items.sort_unstable_by_key(|item| kind_of(item.1));
+            let other = items.partition_point(|item| kind_of(item.1) == kind_of(items[0].1));
+            if items.len() <= LEAF && other < items.len() {
+                other
+            } else {
+                items.len() / 2
+            }
+        }
     };
     let large = items.len() > PARALLEL;
     let (left, right) = items.split_at_mut(middle);
     let children = if large {
-        let (left, right) = rayon::join(|| subtree(left, depth + 1), || subtree(right, depth + 1));
+        let (left, right) = rayon::join(
+            || subtree(left, depth + 1, kind_of),
+            || subtree(right, depth + 1, kind_of),
+        );
         [left, right]
     } else {
-        [subtree(left, depth + 1), subtree(right, depth + 1)]
+        [
+            subtree(left, depth + 1, kind_of),
+            subtree(right, depth + 1, kind_of),
+        ]
     };
-    Node::Inner(bounds, Box::new(children))
+    Draft::Inner(bounds, Box::new(children))
 }
 
 /// A plane between two bins.
@@ -165,43 +194,38 @@ fn partition(items: &mut [Item], split: &Split) -> usize {
     middle
 }
 
-/// Writes a pair's children, and their children, into the arrays.
-fn place(tree: &mut Tree, at: usize, children: [Node; 2]) {
-    let [left, right] = children;
-    let (left_box, left_child, left_count, left_inner) = reference(tree, left);
-    let (right_box, right_child, right_count, right_inner) = reference(tree, right);
-    tree.pairs[at] = Pair {
-        left_low: left_box.low.into(),
-        left: left_child,
-        left_high: left_box.high.into(),
-        left_count,
-        right_low: right_box.low.into(),
-        right: right_child,
-        right_high: right_box.high.into(),
-        right_count,
-    };
-    if let Some(children) = left_inner {
-        place(tree, left_child as usize, *children);
-    }
-    if let Some(children) = right_inner {
-        place(tree, right_child as usize, *children);
+/// Writes a node, and all below it, into the arrays.
+fn place(tree: &mut Tree, at: usize, draft: Draft) {
+    match draft {
+        Draft::Leaf(aabb, ids) => {
+            tree.nodes[at] = Node {
+                aabb,
+                first: tree.ids.len() as u32,
+                count: ids.len() as u32,
+            };
+            tree.ids.extend(&ids);
+        }
+        Draft::Inner(aabb, children) => {
+            let first = tree.nodes.len();
+            tree.nodes[at] = Node {
+                aabb,
+                first: first as u32,
+                count: 0,
+            };
+            tree.nodes.extend([UNPLACED; 2]);
+            let [left, right] = *children;
+            place(tree, first, left);
+            place(tree, first + 1, right);
+        }
     }
 }
 
-/// A child as a pair refers to it: its box, index and count, and its children.
-fn reference(tree: &mut Tree, node: Node) -> (Aabb, u32, u32, Option<Box<[Node; 2]>>) {
-    match node {
-        Node::Leaf(bounds, ids) => {
-            let first = tree.leaf_ids.len() as u32;
-            tree.leaf_ids.extend(&ids);
-            (bounds, first, ids.len() as u32, None)
-        }
-        Node::Inner(bounds, children) => {
-            tree.pairs.push(Pair::default());
-            (bounds, tree.pairs.len() as u32 - 1, 0, Some(children))
-        }
-    }
-}
+/// What a node is until it is written.
+const UNPLACED: Node = Node {
+    aabb: EMPTY,
+    first: 0,
+    count: 0,
+};
 
 /// The box of no points, which no ray meets.
 const EMPTY: Aabb = Aabb {

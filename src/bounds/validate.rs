@@ -1,22 +1,28 @@
 //! Proof that a built tree holds what it should.
 
+use std::collections::HashMap;
+
+use crate::flat::Kind;
 use crate::kernel::aabb::Aabb;
 use crate::kernel::tree::STACK;
-use crate::kernel::vector::Vec3;
-use crate::layout::Pair;
+use crate::layout::{LEAF_COUNT, LEAF_KIND};
 
-use super::tree::Tree;
+use super::tree::{Node, Tree};
 
-/// Checks a tree over `items`: every primitive is in exactly one leaf, every box
-/// holds what is below it, every pair is reached once, and no path is deeper than
-/// the traversal's stack.
+/// Checks a tree over `items`: every primitive is in exactly one leaf, the leaves
+/// are small and of one kind, every box holds what is below it, every node is
+/// reached once, and no path is deeper than the traversal's stack.
 ///
 /// # Errors
 ///
 /// The first fault, in words.
-pub fn validate(tree: &Tree, items: &[(Aabb, u32)]) -> Result<(), String> {
-    if tree.pairs.is_empty() {
-        let few = items.len() < 2 && tree.leaf_ids.is_empty();
+pub fn validate(
+    tree: &Tree,
+    items: &[(Aabb, u32)],
+    kind_of: &dyn Fn(u32) -> Kind,
+) -> Result<(), String> {
+    if tree.nodes.is_empty() {
+        let few = items.len() < 2 && tree.ids.is_empty();
         return if few {
             Ok(())
         } else {
@@ -25,12 +31,13 @@ pub fn validate(tree: &Tree, items: &[(Aabb, u32)]) -> Result<(), String> {
     }
     let mut check = Check {
         tree,
-        visited: vec![false; tree.pairs.len()],
-        found: std::collections::HashMap::new(),
+        kind_of,
+        visited: vec![false; tree.nodes.len()],
+        found: HashMap::new(),
     };
-    check.pair(0, 1)?;
-    if let Some(pair) = check.visited.iter().position(|visited| !visited) {
-        return Err(format!("pair {pair} is not reached"));
+    check.node(0, 0)?;
+    if let Some(node) = check.visited.iter().position(|visited| !visited) {
+        return Err(format!("node {node} is not reached"));
     }
     for (aabb, id) in items {
         match check.found.remove(id) {
@@ -49,71 +56,54 @@ pub fn validate(tree: &Tree, items: &[(Aabb, u32)]) -> Result<(), String> {
 
 struct Check<'a> {
     tree: &'a Tree,
+    kind_of: &'a dyn Fn(u32) -> Kind,
     visited: Vec<bool>,
     /// The box of the leaf in which a primitive was found.
-    found: std::collections::HashMap<u32, Aabb>,
+    found: HashMap<u32, Aabb>,
 }
 
 impl Check<'_> {
-    /// Checks a pair and all below it, and gives the boxes of its two children.
-    fn pair(&mut self, at: u32, depth: usize) -> Result<[Aabb; 2], String> {
+    /// Checks a node and all below it, and gives its box.
+    fn node(&mut self, at: u32, depth: usize) -> Result<Aabb, String> {
         if depth > STACK {
-            return Err(format!("pair {at} is deeper than {STACK}"));
+            return Err(format!("node {at} is deeper than {STACK}"));
         }
-        let pair = *self
-            .tree
-            .pairs
+        let nodes = &self.tree.nodes;
+        let node = *nodes
             .get(at as usize)
-            .ok_or(format!("there is no pair {at}"))?;
+            .ok_or(format!("there is no node {at}"))?;
         if std::mem::replace(&mut self.visited[at as usize], true) {
-            return Err(format!("pair {at} is reached twice"));
+            return Err(format!("node {at} is reached twice"));
         }
-        let boxes = children(&pair);
-        for (aabb, child, count) in [
-            (boxes[0], pair.left, pair.left_count),
-            (boxes[1], pair.right, pair.right_count),
-        ] {
-            if count > 0 {
-                self.leaf(aabb, child, count)?;
-            } else {
-                let below = self.pair(child, depth + 1)?;
-                if below.iter().any(|inner| !holds(aabb, *inner)) {
-                    return Err(format!("a child of pair {child} sticks out of its box"));
-                }
+        if node.count > 0 {
+            return self.leaf(node);
+        }
+        for child in [node.first, node.first + 1] {
+            let below = self.node(child, depth + 1)?;
+            if !holds(node.aabb, below) {
+                return Err(format!("node {child} sticks out of node {at}"));
             }
         }
-        Ok(boxes)
+        Ok(node.aabb)
     }
 
-    fn leaf(&mut self, aabb: Aabb, first: u32, count: u32) -> Result<(), String> {
-        let ids = self
-            .tree
-            .leaf_ids
-            .get(first as usize..first as usize + count as usize)
-            .ok_or(format!(
-                "there are no leaf ids {first} to {}",
-                first + count
-            ))?;
+    fn leaf(&mut self, leaf: Node) -> Result<Aabb, String> {
+        let (first, count) = (leaf.first as usize, leaf.count as usize);
+        if count > 1 << (LEAF_KIND - LEAF_COUNT) {
+            return Err(format!("a leaf has {count} primitives"));
+        }
+        let ids = self.tree.ids.get(first..first + count);
+        let ids = ids.ok_or(format!("there are no ids {first} to {}", first + count))?;
         for id in ids {
-            if self.found.insert(*id, aabb).is_some() {
+            if (self.kind_of)(*id) != (self.kind_of)(ids[0]) {
+                return Err(format!("primitives {} and {id} share a leaf", ids[0]));
+            }
+            if self.found.insert(*id, leaf.aabb).is_some() {
                 return Err(format!("primitive {id} is in two leaves"));
             }
         }
-        Ok(())
+        Ok(leaf.aabb)
     }
-}
-
-fn children(pair: &Pair) -> [Aabb; 2] {
-    [
-        Aabb {
-            low: Vec3::from(pair.left_low),
-            high: Vec3::from(pair.left_high),
-        },
-        Aabb {
-            low: Vec3::from(pair.right_low),
-            high: Vec3::from(pair.right_high),
-        },
-    ]
 }
 
 /// Whether `inner` lies in `outer`.

@@ -111,14 +111,7 @@ enum Tracer<'a> {
 
 impl<'a> Tracer<'a> {
     fn on_gpu(device: &'a Gpu, scene: &'a BoundedScene) -> Result<Self> {
-        let prepared = gpu::Prepared::new(device, &scene.flat, Portions::of(device))?;
-        if !scene.flat.pairs.is_empty() && !prepared.has_tree() {
-            return Err(Error::Limit(format!(
-                "`{}` cannot be measured on {}: add `--bounds none` or `--backend cpu`",
-                scene.bounds.name(),
-                device.adapter.name
-            )));
-        }
+        let prepared = gpu::Prepared::new(device, &scene.flat, Portions::default())?;
         Ok(Self::Gpu(device, Box::new(prepared)))
     }
 
@@ -296,7 +289,7 @@ mod tests {
         assert_eq!(first, 0);
         assert!(second > 0);
         // All leaves hold one shape.
-        let [_, lost] = different_pixels(|flat| flat.leaf_ids.fill(0));
+        let [_, lost] = different_pixels(|flat| flat.pairs[0].right = flat.pairs[0].left);
         assert!(lost > 0);
     }
 }

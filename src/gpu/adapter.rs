@@ -20,6 +20,11 @@ pub struct AdapterDescription {
 }
 
 impl AdapterDescription {
+    /// Whether the CPU does the work.
+    pub fn is_software(&self) -> bool {
+        self.kind == "software"
+    }
+
     /// Describes an adapter.
     pub fn of(adapter: &wgpu::Adapter) -> Self {
         let info = adapter.get_info();

@@ -9,7 +9,7 @@ use super::device::Gpu;
 use super::program::{Program, Source};
 use super::samples::{hash, quotient_near_midpoint, root_near_midpoint};
 use super::selfcheck::{measure_f32, output, read, run};
-use crate::effects::{DIVIDE_CORRECTED, select_files};
+use crate::effects::{DIVIDE_CORRECTED, Device, Fetch, select_files};
 
 const REAL: Source = Source {
     name: "real_f32.wgsl",
@@ -207,7 +207,11 @@ fn loose_operators_are_corrected_to_the_last_bit() {
 
 #[test]
 fn the_correction_fits_beside_every_other_file() {
-    Program::build(&select_files(|_| true, DIVIDE_CORRECTED)).unwrap();
+    let device = Device {
+        divide: DIVIDE_CORRECTED,
+        fetch: Fetch::Storage,
+    };
+    Program::build(&select_files(|_| true, device)).unwrap();
     // The control: the names of one file twice.
     assert!(Program::build(&[REAL, DIVIDE_CORRECTED, DIVIDE_CORRECTED]).is_err());
 }

@@ -17,7 +17,7 @@ impl Gpu {
         let storage = program
             .bindings
             .iter()
-            .filter(|b| b.access != Access::Uniform)
+            .filter(|b| matches!(b.access, Access::Read | Access::Write))
             .count();
         let most = self.limits.max_storage_buffers_per_shader_stage as usize;
         if storage > most {
@@ -108,19 +108,7 @@ impl Gpu {
                     .map(|binding| wgpu::BindGroupLayoutEntry {
                         binding: binding.binding,
                         visibility: wgpu::ShaderStages::COMPUTE,
-                        ty: wgpu::BindingType::Buffer {
-                            ty: match binding.access {
-                                Access::Uniform => wgpu::BufferBindingType::Uniform,
-                                Access::Read => {
-                                    wgpu::BufferBindingType::Storage { read_only: true }
-                                }
-                                Access::Write => {
-                                    wgpu::BufferBindingType::Storage { read_only: false }
-                                }
-                            },
-                            has_dynamic_offset: false,
-                            min_binding_size: None,
-                        },
+                        ty: binding_type(binding.access),
                         count: None,
                     })
                     .collect();
@@ -134,6 +122,24 @@ impl Gpu {
     }
 }
 
+fn binding_type(access: Access) -> wgpu::BindingType {
+    let buffer = |ty| wgpu::BindingType::Buffer {
+        ty,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    match access {
+        Access::Uniform => buffer(wgpu::BufferBindingType::Uniform),
+        Access::Read => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+        Access::Write => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+        Access::Texture => wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+    }
+}
+
 /// A compiled program.
 pub(super) struct Kernel {
     pipelines: HashMap<String, wgpu::ComputePipeline>,
@@ -142,16 +148,16 @@ pub(super) struct Kernel {
 }
 
 impl Kernel {
-    /// Binds buffers to the variables of one group, by name.
+    /// Binds buffers and textures to the variables of one group, by name.
     ///
     /// # Errors
     ///
-    /// [`Error::Shader`] where a variable has no buffer: a defect.
-    pub(super) fn bind(
+    /// [`Error::Shader`] where a variable has nothing to be bound to: a defect.
+    pub(super) fn bind<'r>(
         &self,
         gpu: &Gpu,
         group: u32,
-        buffers: &HashMap<&'static str, wgpu::Buffer>,
+        resource: impl Fn(&str) -> Option<wgpu::BindingResource<'r>>,
     ) -> Result<wgpu::BindGroup> {
         let mut entries = Vec::new();
         for binding in self
@@ -159,12 +165,12 @@ impl Kernel {
             .iter()
             .filter(|binding| binding.group == group)
         {
-            let buffer = buffers.get(binding.name.as_str()).ok_or_else(|| {
-                Error::Shader(format!("no buffer for the variable `{}`", binding.name))
+            let resource = resource(&binding.name).ok_or_else(|| {
+                Error::Shader(format!("nothing for the variable `{}`", binding.name))
             })?;
             entries.push(wgpu::BindGroupEntry {
                 binding: binding.binding,
-                resource: buffer.as_entire_binding(),
+                resource,
             });
         }
         Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::stage::WORKGROUP;
+use super::tile::WORKGROUP;
 
 /// How long a dispatch should take: long enough that starting it costs little,
 /// short enough to be smooth and far from any watchdog.

@@ -9,7 +9,7 @@ use super::source::Assembly;
 pub use super::source::Source;
 use crate::error::{Error, Result};
 
-/// How a shader uses a buffer.
+/// How a shader uses a buffer or a texture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Access {
     /// A small buffer, the same for all invocations.
@@ -18,9 +18,11 @@ pub enum Access {
     Read,
     /// Read and written.
     Write,
+    /// A texture, read only.
+    Texture,
 }
 
-/// A buffer that a shader names.
+/// A buffer or a texture that a shader names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Binding {
     /// The variable's name.
@@ -114,6 +116,7 @@ fn reflect(module: &naga::Module) -> Vec<Binding> {
                     Access::Write
                 }
                 AddressSpace::Storage { .. } => Access::Read,
+                AddressSpace::Handle => Access::Texture,
                 _ => return None,
             };
             let name = variable.name.clone().unwrap_or_default();

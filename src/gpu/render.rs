@@ -5,16 +5,17 @@
 //! lavapipe silently stops an invocation; it lets progress show and a render be
 //! cancelled.
 
-use std::borrow::Cow;
 use std::time::Instant;
 
 use super::device::Gpu;
 use super::kernel::Kernel;
+use super::memory::{SceneMemory, best_fetch};
 use super::pace::Pace;
 use super::program::Program;
+use super::scene::PackedScene;
 use super::stage::Stage;
-use super::window::{Tile, Window};
-use crate::effects::shader_files;
+use super::tile::Tile;
+use crate::effects::{Device, Fetch, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::layout::Pixel;
@@ -28,24 +29,20 @@ const PRIMITIVES_PER_DISPATCH: u32 = 60_000;
 /// some shapes. The first dispatch is sized by it, the others by what they take.
 const TREE_TESTS: u32 = 32;
 
-/// How much goes into one dispatch and into one buffer at most.
+/// How a scene is portioned out to a device.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Portions {
-    /// Primitives that one dispatch tests.
+    /// Primitives that one dispatch tests at most, where there are no volumes.
     pub primitives_per_dispatch: u32,
-    /// Bytes of one buffer of primitives.
-    pub binding_bytes: u64,
+    /// Where the scene lies; none for what the device reads best.
+    pub fetch: Option<Fetch>,
 }
 
-impl Portions {
-    /// What a device takes.
-    pub fn of(gpu: &Gpu) -> Self {
-        let limits = &gpu.limits;
+impl Default for Portions {
+    fn default() -> Self {
         Self {
             primitives_per_dispatch: PRIMITIVES_PER_DISPATCH,
-            binding_bytes: limits
-                .max_storage_buffer_binding_size
-                .min(limits.max_buffer_size),
+            fetch: None,
         }
     }
 }
@@ -69,45 +66,53 @@ pub fn render(
 /// any number of times.
 pub struct Prepared<'a> {
     gpu: &'a Gpu,
-    flat: Cow<'a, Flat<f32>>,
+    flat: &'a Flat<f32>,
+    fetch: Fetch,
     kernel: Kernel,
-    windows: Vec<Window>,
     stage: Stage,
     pace: Pace,
 }
 
 impl<'a> Prepared<'a> {
-    /// Uploads a flattened scene and compiles the shaders that it calls for. A
-    /// tree that does not fit the device is left out, with a warning.
+    /// Uploads a flattened scene and compiles the shaders that it calls for.
     ///
     /// # Errors
     ///
     /// [`Error::Limit`] when the scene does not fit the device,
     /// [`Error::Shader`] when the driver refuses a shader.
     pub fn new(gpu: &'a Gpu, flat: &'a Flat<f32>, portions: Portions) -> Result<Self> {
-        let flat = bindable(flat, portions.binding_bytes);
-        let program = Program::build(&shader_files(&flat.counts(), gpu.arithmetic.divide_file()))?;
+        let scene = PackedScene::of(flat);
+        let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
+        let device = Device {
+            divide: gpu.arithmetic.divide_file(),
+            fetch,
+        };
+        let program = Program::build(&shader_files(&flat.counts(), device))?;
         let kernel = gpu.compile(&program)?;
-        let windows = Window::split(&flat, portions.binding_bytes);
-        let stage = Stage::set_up(gpu, &flat, &kernel, &windows)?;
+        let memory = SceneMemory::upload(gpu, &scene, fetch)?;
+        let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables)?;
         let pace = Pace::new(
             flat.size,
-            tests_per_ray(&flat),
+            tests_per_ray(flat),
             flat.lights.len() as u32,
             portions.primitives_per_dispatch,
         );
         Ok(Self {
             gpu,
             flat,
+            fetch,
             kernel,
-            windows,
             stage,
             pace,
         })
     }
 
-    /// Whether rays go through a tree: one was built, and it fits the device.
-    pub fn has_tree(&self) -> bool {
+    /// Where the scene lies on the device.
+    pub fn fetch(&self) -> Fetch {
+        self.fetch
+    }
+
+    fn has_tree(&self) -> bool {
         !self.flat.pairs.is_empty()
     }
 
@@ -129,7 +134,16 @@ impl<'a> Prepared<'a> {
         let mut first_row = 0;
         while first_row < height {
             let rows = self.pace.rows(self.stage.max_rows).min(height - first_row);
-            let pixels = self.trace(Tile { first_row, rows }, watch)?;
+            let tile = Tile {
+                first_row,
+                rows,
+                spread: self.gpu.adapter.is_software(),
+            };
+            self.trace(tile, watch)?;
+            let orders = tile.orders(self.flat, 0..0);
+            self.stage
+                .dispatch(self.gpu, &self.kernel, "shade_tile", &orders)?;
+            let pixels = self.stage.read_pixels(self.gpu, self.flat.size[0] * rows)?;
             if !self.has_tree() {
                 check_tests(&pixels, self.flat.primitives())?;
             }
@@ -139,68 +153,36 @@ impl<'a> Prepared<'a> {
         Ok(())
     }
 
-    /// The pixels of a tile: its closest hits, window after window, then their
-    /// colours, window after window.
-    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<Vec<Pixel>> {
-        for index in 0..self.windows.len() {
-            self.trace_window(index, tile, watch)?;
-        }
-        for (index, window) in self.windows.iter().enumerate() {
-            let orders = window.orders(&self.flat, window.ids.clone(), tile);
-            self.stage
-                .dispatch(self.gpu, &self.kernel, "shade_tile", index, &orders)?;
-        }
-        self.stage
-            .read_pixels(self.gpu, self.flat.size[0] * tile.rows)
-    }
-
-    /// Brings the tile's closest hits up to date with the primitives of a window.
-    /// An empty window gets one dispatch too, which notes that nothing is hit.
-    fn trace_window(&mut self, index: usize, tile: Tile, watch: &dyn Watch) -> Result<()> {
-        let window = &self.windows[index];
+    /// Finds the tile's closest hits: through the tree in one dispatch, else by one
+    /// for each run of primitives. An empty scene gets one dispatch too, which notes
+    /// that nothing is hit.
+    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<()> {
+        let primitives = self.flat.primitives();
         let pixels = self.flat.size[0] * tile.rows;
-        let mut begin = window.ids.start;
+        let mut begin = 0_u32;
         loop {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
             let (end, tested) = if self.has_tree() {
-                (window.ids.end, tests_per_ray(&self.flat))
+                (primitives, tests_per_ray(self.flat))
             } else {
                 let chunk = self.pace.chunk(pixels);
-                let end = window.ids.end.min(begin.saturating_add(chunk));
+                let end = primitives.min(begin.saturating_add(chunk));
                 (end, end - begin)
             };
-            let orders = window.orders(&self.flat, begin..end, tile);
+            let orders = tile.orders(self.flat, begin..end);
             let started = Instant::now();
             self.stage
-                .dispatch(self.gpu, &self.kernel, "trace_tile", index, &orders)?;
+                .dispatch(self.gpu, &self.kernel, "trace_tile", &orders)?;
             self.pace.learn(pixels, tested, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;
-            if begin >= window.ids.end {
+            if begin >= primitives {
                 return Ok(());
             }
         }
     }
-}
-
-/// The scene, without its tree where one buffer cannot hold what it leads to: a
-/// tree leads anywhere, so all of it must be bound at once.
-fn bindable(flat: &Flat<f32>, binding_bytes: u64) -> Cow<'_, Flat<f32>> {
-    if flat.pairs.is_empty() || flat.largest_array() <= binding_bytes {
-        return Cow::Borrowed(flat);
-    }
-    tracing::warn!(
-        "the scene needs {} bytes in one buffer, more than the {binding_bytes} that this device \
-         binds: tracing without volumes",
-        flat.largest_array(),
-    );
-    Cow::Owned(Flat {
-        pairs: Vec::new(),
-        leaf_ids: Vec::new(),
-        ..flat.clone()
-    })
 }
 
 /// Shape tests of one ray, as far as the pace is concerned.

@@ -230,7 +230,9 @@ pub(super) fn run(
     buffers: &HashMap<&'static str, wgpu::Buffer>,
     workgroups: u32,
 ) -> Result<()> {
-    let group = kernel.bind(gpu, 0, buffers)?;
+    let group = kernel.bind(gpu, 0, |name| {
+        buffers.get(name).map(|buffer| buffer.as_entire_binding())
+    })?;
     kernel.run(gpu, entry, &[&group], [workgroups, 1])
 }
 

@@ -26,21 +26,30 @@ impl Gpu {
                 self.adapter.name, self.limits.max_buffer_size
             )));
         }
+        self.guard(&format!("the buffer `{name}` of {size} bytes"), || {
+            self.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(name),
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
+        })
+    }
+
+    /// What `create` creates, unless the device refuses it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Limit`] with the device's words, which tell of `what`.
+    pub(super) fn guard<T>(&self, what: &str, create: impl FnOnce() -> T) -> Result<T> {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let invalid = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some(name),
-            size,
-            usage,
-            mapped_at_creation: false,
-        });
+        let created = create();
         let refused = pollster::block_on(invalid.pop());
-        if let Some(error) = pollster::block_on(memory.pop()).or(refused) {
-            return Err(Error::Limit(format!(
-                "the buffer `{name}` of {size} bytes: {error}"
-            )));
+        match pollster::block_on(memory.pop()).or(refused) {
+            Some(error) => Err(Error::Limit(format!("{what}: {error}"))),
+            None => Ok(created),
         }
-        Ok(buffer)
     }
 
     /// A storage buffer that holds `bytes`.

@@ -3,15 +3,15 @@
 use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
 use super::disk::intersect_disk;
-use super::hit::{Hit, Surface, keep_nearer};
+use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
 use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
 use crate::flat::Flat;
 
-/// Tests one disk, by its index, within its own box.
-pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, index: u32, hit: &mut Hit<R>) {
-    let disk = &flat.disks[index as usize];
+/// Tests the disk in a row of the table, within its own box.
+pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
+    let disk = &flat.disks[row as usize];
     let mut t = intersect_disk(probe.ray, disk);
     if t < R::MISS {
         t = clamp_to_box(
@@ -20,20 +20,24 @@ pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, index: u32, hit: &mut
             t,
         );
     }
-    keep_nearer(hit, t, flat.first_disk() + index);
+    if may_be_closest(hit, t) {
+        keep_nearer(hit, t, flat.disk_ids[row as usize], row);
+    }
 }
 
 /// Tests every disk.
 pub fn closest_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for index in 0..flat.disks.len() as u32 {
-        test_disk(flat, probe, index, hit);
+    for row in 0..flat.disks.len() as u32 {
+        test_disk(flat, probe, row, hit);
     }
 }
 
 /// The surface of the disk that was hit.
 pub fn disk_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option<Surface> {
-    let index = hit.id.wrapping_sub(flat.first_disk());
-    let disk = flat.disks.get(index as usize)?;
+    if hit.id < flat.first_disk() || hit.id >= flat.first_triangle() {
+        return None;
+    }
+    let disk = &flat.disks[hit.row as usize];
     Some(Surface {
         position: (ray.origin + ray.direction * hit.t).to_f32(),
         normal: face_viewer(Vec3::from(disk.normal), ray.direction).to_f32(),

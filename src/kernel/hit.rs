@@ -11,6 +11,8 @@ pub struct Hit<R> {
     pub t: R,
     /// The primitive, or [`NO_HIT`].
     pub id: u32,
+    /// Its row in its kind's table.
+    pub row: u32,
     /// Shapes tested so far.
     pub tests: u32,
 }
@@ -29,16 +31,24 @@ pub fn no_hit<R: Real>() -> Hit<R> {
     Hit {
         t: R::MISS,
         id: NO_HIT,
+        row: 0,
         tests: 0,
     }
 }
 
-/// Counts a test and keeps its hit if it is nearer. Of two hits at the same t the
-/// lower id stays, so the order of the tests does not matter.
-pub fn keep_nearer<R: Real>(hit: &mut Hit<R>, t: R, id: u32) {
+/// Counts a test, and says whether its t may be the closest. A tie is for
+/// [`keep_nearer`] to settle, by the ids, which are read only now.
+pub fn may_be_closest<R: Real>(hit: &mut Hit<R>, t: R) -> bool {
     hit.tests += 1;
-    if t < hit.t || (t == hit.t && id < hit.id && t < R::MISS) {
+    t <= hit.t && t < R::MISS
+}
+
+/// Keeps a hit if it is nearer. Of two hits at the same t the lower id stays, so the
+/// order of the tests does not matter.
+pub fn keep_nearer<R: Real>(hit: &mut Hit<R>, t: R, id: u32, row: u32) {
+    if t < hit.t || (t == hit.t && id < hit.id) {
         hit.t = t;
         hit.id = id;
+        hit.row = row;
     }
 }

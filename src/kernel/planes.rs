@@ -1,7 +1,7 @@
 //! All planes: which one is nearest, and what is found there.
 
 use super::camera::Ray;
-use super::hit::{Hit, Surface, keep_nearer};
+use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
 use super::plane::intersect_plane;
 use super::probe::Probe;
 use super::real::Real;
@@ -10,16 +10,20 @@ use crate::flat::Flat;
 
 /// Tests every plane.
 pub fn closest_plane<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for (plane, id) in flat.planes.iter().zip(flat.first_plane()..) {
+    for (plane, row) in flat.planes.iter().zip(0..) {
         let t = intersect_plane(probe.ray, Vec3::from(plane.point), Vec3::from(plane.normal));
-        keep_nearer(hit, t, id);
+        if may_be_closest(hit, t) {
+            keep_nearer(hit, t, flat.first_plane() + row, row);
+        }
     }
 }
 
 /// The surface of the plane that was hit.
 pub fn plane_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option<Surface> {
-    let index = hit.id.wrapping_sub(flat.first_plane());
-    let plane = flat.planes.get(index as usize)?;
+    if hit.id < flat.first_plane() || hit.id >= flat.first_disk() {
+        return None;
+    }
+    let plane = &flat.planes[hit.row as usize];
     Some(Surface {
         position: (ray.origin + ray.direction * hit.t).to_f32(),
         normal: face_viewer(Vec3::from(plane.normal), ray.direction).to_f32(),

@@ -2,18 +2,35 @@
 
 use super::aabb::{clamp_to_box, triangle_box};
 use super::camera::Ray;
-use super::hit::{Hit, Surface, keep_nearer};
+use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
 use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
 use super::triangle::{intersect_triangle, triangle_normal, triangle_point, triangle_weights};
 use super::vector::Vec3;
 use crate::flat::Flat;
+use crate::layout::{Corners, Triangle};
 
-/// Tests one triangle, by its index, within its own box.
-pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, index: u32, hit: &mut Hit<R>) {
-    let triangle = &flat.triangles[index as usize];
-    let mut t = intersect_triangle(probe.ray, probe.shear, triangle);
+/// The triangle with these corners.
+pub fn triangle_of<R: Real>(flat: &Flat<R>, corners: Corners) -> Triangle<R> {
+    let [a, b, c] = corners
+        .vertices
+        .map(|vertex| flat.vertices[vertex as usize]);
+    Triangle {
+        a,
+        padding_0: R::ZERO,
+        b,
+        padding_1: R::ZERO,
+        c,
+        padding_2: R::ZERO,
+    }
+}
+
+/// Tests the triangle in a row of the table, within its own box.
+pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
+    let corners = flat.triangles[row as usize];
+    let triangle = triangle_of(flat, corners);
+    let mut t = intersect_triangle(probe.ray, probe.shear, &triangle);
     if t < R::MISS {
         t = clamp_to_box(
             probe.slabs,
@@ -25,28 +42,33 @@ pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, index: u32, hit: 
             t,
         );
     }
-    keep_nearer(hit, t, flat.first_triangle() + index);
+    if may_be_closest(hit, t) {
+        keep_nearer(hit, t, corners.id, row);
+    }
 }
 
 /// Tests every triangle.
 pub fn closest_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for index in 0..flat.triangles.len() as u32 {
-        test_triangle(flat, probe, index, hit);
+    for row in 0..flat.triangles.len() as u32 {
+        test_triangle(flat, probe, row, hit);
     }
 }
 
 /// The surface of the triangle that was hit.
 pub fn triangle_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option<Surface> {
-    let index = hit.id.wrapping_sub(flat.first_triangle());
-    let triangle = flat.triangles.get(index as usize)?;
-    let weights = triangle_weights(ray, triangle);
+    if hit.id < flat.first_triangle() {
+        return None;
+    }
+    let corners = flat.triangles[hit.row as usize];
+    let triangle = triangle_of(flat, corners);
+    let weights = triangle_weights(ray, &triangle);
     Some(Surface {
-        position: triangle_point(triangle, weights).to_f32(),
+        position: triangle_point(&triangle, weights).to_f32(),
         normal: shading_normal(
-            &flat.corner_normals,
-            index,
+            &flat.vertex_normals,
+            corners,
             weights.to_f32(),
-            triangle_normal(triangle).to_f32(),
+            triangle_normal(&triangle).to_f32(),
             ray.direction.to_f32(),
         ),
     })

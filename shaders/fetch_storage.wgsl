@@ -1,0 +1,8 @@
+// The scene in a storage buffer: what hardware reads best.
+
+@group(1) @binding(0) var<storage, read> scene: array<vec4<u32>>;
+
+// Quad `at` of the scene.
+fn fetch(at: u32) -> vec4<u32> {
+    return scene[at];
+}

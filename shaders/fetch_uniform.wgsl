@@ -1,0 +1,8 @@
+// A small scene in a uniform buffer: the quickest where all lanes read alike.
+
+@group(1) @binding(0) var<uniform> scene: array<vec4<u32>, 4096>;
+
+// Quad `at` of the scene.
+fn fetch(at: u32) -> vec4<u32> {
+    return scene[at];
+}

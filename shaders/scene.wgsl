@@ -1,0 +1,29 @@
+// The scene's tables: what each record is, read quad by quad.
+
+// Word `index` of a table of words.
+fn word_at(table: u32, index: u32) -> u32 {
+    return fetch(table + (index >> 2u))[index & 3u];
+}
+
+// Quad `index` of a table, as numbers of the geometry's width.
+fn reals_at(table: u32, index: u32) -> vec4<real> {
+    return bitcast<vec4<real>>(fetch(table + index));
+}
+
+// Quad `index` of a table, as f32.
+fn floats_at(table: u32, index: u32) -> vec4<f32> {
+    return bitcast<vec4<f32>>(fetch(table + index));
+}
+
+// The material of the primitive `id`.
+fn material_of(id: u32) -> MaterialRecord {
+    let index = word_at(tables.material_indices, id);
+    return MaterialRecord(floats_at(tables.materials, index).xyz);
+}
+
+// Light `index`.
+fn light_at(index: u32) -> LightRecord {
+    let first = fetch(tables.lights + 2u * index);
+    let second = floats_at(tables.lights, 2u * index + 1u);
+    return LightRecord(bitcast<vec3<f32>>(first.xyz), first.w, second.xyz);
+}

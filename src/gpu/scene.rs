@@ -1,0 +1,110 @@
+//! The scene as the shaders read it: one run of quads, table after table.
+
+use bytemuck::{Pod, cast_slice};
+
+use crate::flat::Flat;
+use crate::layout::{QUAD, Tables};
+
+/// Four words.
+pub(super) type Quad = [u32; QUAD];
+
+/// A scene in quads.
+pub(super) struct PackedScene {
+    pub(super) quads: Vec<Quad>,
+    pub(super) tables: Tables,
+}
+
+impl PackedScene {
+    /// Packs a flattened scene.
+    pub(super) fn of(flat: &Flat<f32>) -> Self {
+        let mut quads = Vec::with_capacity(flat.bytes() as usize / size_of::<Quad>() + 16);
+        let tables = Tables {
+            spheres: push_records(&mut quads, &flat.spheres),
+            sphere_ids: push_words(&mut quads, &flat.sphere_ids),
+            planes: push_records(&mut quads, &flat.planes),
+            disks: push_records(&mut quads, &flat.disks),
+            disk_ids: push_words(&mut quads, &flat.disk_ids),
+            triangles: push_records(&mut quads, &flat.triangles),
+            vertices: push_vectors(&mut quads, &flat.vertices),
+            vertex_normals: push_vectors(&mut quads, &flat.vertex_normals),
+            pairs: push_records(&mut quads, &flat.pairs),
+            materials: push_records(&mut quads, &flat.materials),
+            material_indices: push_words(&mut quads, &flat.material_indices),
+            lights: push_records(&mut quads, &flat.lights),
+            light_count: flat.lights.len() as u32,
+            first_plane: flat.first_plane(),
+            first_disk: flat.first_disk(),
+            first_triangle: flat.first_triangle(),
+        };
+        // A binding must not be empty.
+        if quads.is_empty() {
+            quads.push([0; QUAD]);
+        }
+        Self { quads, tables }
+    }
+
+    /// Bytes of all the quads.
+    pub(super) fn bytes(&self) -> u64 {
+        size_of_val(self.quads.as_slice()) as u64
+    }
+}
+
+/// Adds a table of records of whole quads, and tells where it begins.
+fn push_records<T: Pod>(quads: &mut Vec<Quad>, records: &[T]) -> u32 {
+    let begin = quads.len() as u32;
+    quads.extend_from_slice(cast_slice(records));
+    begin
+}
+
+/// Adds a table of words, the last quad filled up, and tells where it begins.
+fn push_words(quads: &mut Vec<Quad>, words: &[u32]) -> u32 {
+    let begin = quads.len() as u32;
+    let (whole, rest) = words.as_chunks::<QUAD>();
+    quads.extend_from_slice(whole);
+    if !rest.is_empty() {
+        let mut last = [0; QUAD];
+        last[..rest.len()].copy_from_slice(rest);
+        quads.push(last);
+    }
+    begin
+}
+
+/// Adds a table of vectors, a quad each, and tells where it begins.
+fn push_vectors(quads: &mut Vec<Quad>, vectors: &[[f32; 3]]) -> u32 {
+    let begin = quads.len() as u32;
+    quads.extend(vectors.iter().map(|vector| {
+        let [x, y, z] = vector.map(f32::to_bits);
+        [x, y, z, 0]
+    }));
+    begin
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::Sphere;
+    use crate::scene::Scene;
+
+    #[test]
+    fn tables_begin_at_whole_quads() {
+        let mut flat = crate::flatten::flatten::<f32>(&Scene::default());
+        let empty = PackedScene::of(&flat);
+        assert_eq!(empty.quads.len(), 1);
+        flat.spheres = vec![Sphere::default(); 5];
+        flat.sphere_ids = vec![4, 3, 2, 1, 7];
+        flat.material_indices = vec![9; 5];
+        flat.vertices = vec![[1.0, 2.0, 3.0]];
+        let packed = PackedScene::of(&flat);
+        let tables = packed.tables;
+        assert_eq!(
+            (tables.spheres, tables.sphere_ids, tables.planes),
+            (0, 5, 7)
+        );
+        assert_eq!(packed.quads[5..7], [[4, 3, 2, 1], [7, 0, 0, 0]]);
+        let vertex = packed.quads[tables.vertices as usize];
+        assert_eq!(vertex[1], 2f32.to_bits());
+        assert_eq!(tables.material_indices, 8);
+        assert_eq!(packed.bytes(), 16 * 10);
+        assert_eq!(flat.bytes(), packed.bytes());
+    }
+}
