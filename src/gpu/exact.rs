@@ -3,8 +3,7 @@
 //! Without it a driver may fuse a product with a sum, or simplify (a + b) - a
 //! to b. naga does not write the decoration, so it is added here.
 
-/// Words before the first instruction.
-const HEADER: usize = 5;
+use super::spirv::instructions;
 
 const OP_DECORATE: u32 = 71;
 const DECORATION_NO_CONTRACTION: u32 = 42;
@@ -41,23 +40,11 @@ pub fn forbid_contraction(spirv: &[u32]) -> Vec<u32> {
     exact
 }
 
-/// Start, opcode and words of each instruction.
-fn instructions(spirv: &[u32]) -> impl Iterator<Item = (usize, u32, &[u32])> {
-    let mut start = HEADER;
-    std::iter::from_fn(move || {
-        let first = *spirv.get(start)?;
-        let (count, opcode) = ((first >> 16) as usize, first & 0xffff);
-        let words = spirv.get(start..start + count.max(1))?;
-        let at = start;
-        start += count.max(1);
-        Some((at, opcode, words))
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::gpu::program::{Program, Source};
+    use crate::gpu::spirv::HEADER;
 
     const SHADER: &str = "
         @group(0) @binding(0) var<storage, read_write> x: array<f32>;

@@ -5,6 +5,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, StorageAccess, TypeInner};
 
 use super::exact::forbid_contraction;
+use super::scratch::leave_arrays_unset;
 use super::source::Assembly;
 pub use super::source::Source;
 use crate::error::{Error, Result};
@@ -70,7 +71,7 @@ impl Program {
             assembly,
             module,
             bindings,
-            spirv: forbid_contraction(&spirv),
+            spirv: forbid_contraction(&leave_arrays_unset(&spirv)),
         })
     }
 
