@@ -26,12 +26,6 @@ struct Children {
     right: u32,
 }
 
-// What waits for its visit, and where the ray enters it.
-struct Waiting {
-    child: u32,
-    enter: f32,
-}
-
 // The planes of both boxes across one axis: the left one's low and high, the right
 // one's. Origin and offset are whole steps, so nothing is rounded.
 fn axis_planes(origin: u32, offsets: u32) -> vec4<f32> {
@@ -82,15 +76,14 @@ fn may_be_nearer(interval: Interval, hit: Hit) -> bool {
     return interval.enter <= interval.exit && real(interval.enter) <= hit.t;
 }
 
-// The last of those that wait and may still be nearer than t, or NOWHERE.
-fn next_waiting(stack: ptr<function, array<Waiting, STACK>>, depth: ptr<function, u32>, t: real) -> u32 {
-    while *depth > 0u {
-        *depth -= 1u;
-        if real((*stack)[*depth].enter) <= t {
-            return (*stack)[*depth].child;
-        }
+// The last of those that wait, or NOWHERE. It may be farther than the hit by now: to
+// visit it costs less than to keep where each is entered.
+fn next_waiting(stack: ptr<function, array<u32, STACK>>, depth: ptr<function, u32>) -> u32 {
+    if *depth == 0u {
+        return NOWHERE;
     }
-    return NOWHERE;
+    *depth -= 1u;
+    return (*stack)[*depth];
 }
 
 // The nearest of all primitives: of the planes, which no volume holds, then of
@@ -101,7 +94,7 @@ fn next_waiting(stack: ptr<function, array<Waiting, STACK>>, depth: ptr<function
 // on GPUs", HPG 2009, section 3.
 fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
     closest_plane(probe, hit);
-    var stack: array<Waiting, STACK>;
+    var stack: array<u32, STACK>;
     var depth = 0u;
     var at = 0u;
     var visits = 0u;
@@ -116,17 +109,16 @@ fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
             let left_first = to_left && (!to_right || left.enter <= right.enter);
             at = select(children.right, children.left, left_first);
             if to_left && to_right {
-                let enter = select(left.enter, right.enter, left_first);
-                stack[depth] = Waiting(select(children.left, children.right, left_first), enter);
+                stack[depth] = select(children.left, children.right, left_first);
                 depth++;
             }
             if !(to_left || to_right) {
-                at = next_waiting(&stack, &depth, (*hit).t);
+                at = next_waiting(&stack, &depth);
             }
         }
         if at != NOWHERE && (at & LEAF) != 0u && test_leaf(probe, at, hit) {
             visits++;
-            at = next_waiting(&stack, &depth, (*hit).t);
+            at = next_waiting(&stack, &depth);
         }
     }
     if at != NOWHERE || depth > 0u {

@@ -75,7 +75,12 @@ impl Gpu {
     ///
     /// [`Error::DeviceLost`] where it does not open.
     pub fn open_adapter(adapter: &wgpu::Adapter, wanted: Option<&str>) -> Result<Self> {
-        let optional = Features::PASSTHROUGH_SHADERS | Features::SHADER_F64;
+        let description = AdapterDescription::of(adapter);
+        let mut optional = Features::PASSTHROUGH_SHADERS | Features::SHADER_F64;
+        if description.is_software() {
+            // The device's memory is the host's: results are read where they lie.
+            optional |= Features::MAPPABLE_PRIMARY_BUFFERS;
+        }
         let features = adapter.features() & optional;
         #[expect(unsafe_code, reason = "passthrough of SPIR-V counts as experimental")]
         // SAFETY: the only SPIR-V passed through is naga's own, validated, with decorations.
@@ -91,7 +96,7 @@ impl Gpu {
         .map_err(|error| refusal(&error))?;
         let vulkan = adapter.get_info().backend == wgpu::Backend::Vulkan;
         let mut gpu = Self {
-            adapter: AdapterDescription::of(adapter),
+            adapter: description,
             arithmetic: Arithmetic::default(),
             limits,
             device,
@@ -120,6 +125,12 @@ impl Gpu {
     /// Whether the device computes in f64 too.
     pub fn has_f64(&self) -> bool {
         self.device.features().contains(Features::SHADER_F64)
+    }
+
+    /// Whether the host may read a storage buffer in place.
+    pub(super) fn maps_storage(&self) -> bool {
+        let features = self.device.features();
+        features.contains(Features::MAPPABLE_PRIMARY_BUFFERS)
     }
 
     /// From here on, shaders are compiled by the driver as it likes, as on a device

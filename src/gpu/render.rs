@@ -143,11 +143,17 @@ impl<'a> Prepared<'a> {
             let orders = tile.orders(self.flat, 0..0);
             self.stage
                 .dispatch(self.gpu, &self.kernel, "shade_tile", &orders)?;
-            let pixels = self.stage.read_pixels(self.gpu, self.flat.size[0] * rows)?;
-            if !self.has_tree() {
-                check_tests(&pixels, self.flat.primitives())?;
-            }
-            keep_rows(first_row, &pixels);
+            let mut checked = Ok(());
+            let pixels = self.flat.size[0] * rows;
+            self.stage.look_at_pixels(self.gpu, pixels, &mut |pixels| {
+                if !self.has_tree() {
+                    checked = check_tests(pixels, self.flat.primitives());
+                }
+                if checked.is_ok() {
+                    keep_rows(first_row, pixels);
+                }
+            })?;
+            checked?;
             first_row += rows;
         }
         Ok(())

@@ -22,7 +22,8 @@ pub(super) struct Stage {
     scene: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
     pixels: wgpu::Buffer,
-    staging: wgpu::Buffer,
+    /// Where pixels are copied to be read; none where they can be read in place.
+    staging: Option<wgpu::Buffer>,
 }
 
 impl Stage {
@@ -47,8 +48,15 @@ impl Stage {
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
         let working = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
         let staged = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
+        let in_place = gpu.maps_storage();
         let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, uniform)?;
-        let pixels = gpu.create_buffer("pixels", pixel_bytes, working)?;
+        let readable = if in_place {
+            BufferUsages::STORAGE | BufferUsages::MAP_READ
+        } else {
+            working
+        };
+        let pixels = gpu.create_buffer("pixels", pixel_bytes, readable)?;
+        let staging = (!in_place).then(|| gpu.create_buffer("staging", pixel_bytes, staged));
         let frame = HashMap::from([
             ("dispatch", dispatch.clone()),
             (
@@ -79,7 +87,7 @@ impl Stage {
             scene,
             dispatch,
             pixels,
-            staging: gpu.create_buffer("staging", pixel_bytes, staged)?,
+            staging: staging.transpose()?,
         })
     }
 
@@ -105,14 +113,25 @@ impl Stage {
         )
     }
 
-    /// The first `count` pixels of the tile.
+    /// Shows the first `count` pixels of the tile.
     ///
     /// # Errors
     ///
     /// As [`Gpu::wait`].
-    pub(super) fn read_pixels(&self, gpu: &Gpu, count: u32) -> Result<Vec<Pixel>> {
+    pub(super) fn look_at_pixels(
+        &self,
+        gpu: &Gpu,
+        count: u32,
+        look: &mut dyn FnMut(&[Pixel]),
+    ) -> Result<()> {
         let bytes = u64::from(count) * size_of::<Pixel>() as u64;
-        let data = gpu.read_back(&self.pixels, &self.staging, bytes)?;
-        Ok(bytemuck::pod_collect_to_vec(&data))
+        if let Some(staging) = &self.staging {
+            gpu.copy(&self.pixels, staging, bytes);
+        }
+        let readable = self.staging.as_ref().unwrap_or(&self.pixels);
+        // Mapped memory begins at a page.
+        gpu.look_at(readable, bytes, &mut |bytes| {
+            look(bytemuck::cast_slice(bytes))
+        })
     }
 }

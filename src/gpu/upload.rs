@@ -95,16 +95,38 @@ impl Gpu {
         staging: &wgpu::Buffer,
         bytes: u64,
     ) -> Result<Vec<u8>> {
+        self.copy(buffer, staging, bytes);
+        let mut data = Vec::new();
+        self.look_at(staging, bytes, &mut |mapped| data = mapped.to_vec())?;
+        Ok(data)
+    }
+
+    /// Has the first `bytes` bytes of `buffer` copied to `staging`.
+    pub(super) fn copy(&self, buffer: &wgpu::Buffer, staging: &wgpu::Buffer, bytes: u64) {
         let mut encoder = self.device.create_command_encoder(&Default::default());
         encoder.copy_buffer_to_buffer(buffer, 0, staging, 0, bytes);
         self.queue.submit([encoder.finish()]);
-        staging.map_async(wgpu::MapMode::Read, 0..bytes, |_| {});
+    }
+
+    /// Shows the first `bytes` bytes of a mappable buffer, where they lie.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::wait`].
+    pub(super) fn look_at(
+        &self,
+        buffer: &wgpu::Buffer,
+        bytes: u64,
+        look: &mut dyn FnMut(&[u8]),
+    ) -> Result<()> {
+        buffer.map_async(wgpu::MapMode::Read, 0..bytes, |_| {});
         self.wait()?;
-        let data = staging
-            .get_mapped_range(0..bytes)
-            .map_err(|error| Error::DeviceLost(error.to_string()))?
-            .to_vec();
-        staging.unmap();
-        Ok(data)
+        look(
+            &buffer
+                .get_mapped_range(0..bytes)
+                .map_err(|error| Error::DeviceLost(error.to_string()))?,
+        );
+        buffer.unmap();
+        Ok(())
     }
 }

@@ -39,13 +39,6 @@ pub struct Children {
     pub right: u32,
 }
 
-/// What waits for its visit, and where the ray enters it.
-#[derive(Debug, Clone, Copy, Default)]
-struct Waiting {
-    child: u32,
-    enter: f32,
-}
-
 /// The planes of both boxes across one axis: the left one's low and high, the right
 /// one's. Origin and offset are whole steps, so nothing is rounded.
 fn axis_planes(origin: u32, offsets: u32) -> [f32; 4] {
@@ -94,15 +87,14 @@ fn may_be_nearer<R: Real>(interval: Interval, hit: Hit<R>) -> bool {
     interval.enter <= interval.exit && R::from_f64(f64::from(interval.enter)) <= hit.t
 }
 
-/// The last of those that wait and may still be nearer than t, or [`NOWHERE`].
-fn next_waiting<R: Real>(stack: &[Waiting; STACK], depth: &mut usize, t: R) -> u32 {
-    while *depth > 0 {
-        *depth -= 1;
-        if R::from_f64(f64::from(stack[*depth].enter)) <= t {
-            return stack[*depth].child;
-        }
+/// The last of those that wait, or [`NOWHERE`]. It may be farther than the hit by
+/// now: to visit it costs less than to keep where each is entered.
+fn next_waiting(stack: &[u32; STACK], depth: &mut usize) -> u32 {
+    if *depth == 0 {
+        return NOWHERE;
     }
-    NOWHERE
+    *depth -= 1;
+    stack[*depth]
 }
 
 /// The nearest of all primitives: of the planes, which no volume holds, then of
@@ -113,7 +105,7 @@ fn next_waiting<R: Real>(stack: &[Waiting; STACK], depth: &mut usize, t: R) -> u
 /// on GPUs", HPG 2009, section 3.
 pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     closest_plane(flat, probe, hit);
-    let mut stack = [Waiting::default(); STACK];
+    let mut stack = [0; STACK];
     let mut depth = 0;
     let mut at = 0;
     let mut visits = 0;
@@ -132,23 +124,20 @@ pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
                 children.right
             };
             if to_left && to_right {
-                stack[depth] = Waiting {
-                    child: if left_first {
-                        children.right
-                    } else {
-                        children.left
-                    },
-                    enter: if left_first { right.enter } else { left.enter },
+                stack[depth] = if left_first {
+                    children.right
+                } else {
+                    children.left
                 };
                 depth += 1;
             }
             if !(to_left || to_right) {
-                at = next_waiting(&stack, &mut depth, hit.t);
+                at = next_waiting(&stack, &mut depth);
             }
         }
         if at != NOWHERE && (at & LEAF) != 0 && test_leaf(flat, probe, at, hit) {
             visits += 1;
-            at = next_waiting(&stack, &mut depth, hit.t);
+            at = next_waiting(&stack, &mut depth);
         }
     }
     if at != NOWHERE || depth > 0 {
