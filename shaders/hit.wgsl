@@ -2,6 +2,9 @@
 
 const NO_HIT: u32 = 0xffffffffu;
 
+// In place of a hit's tests: the ray was given up.
+const GIVEN_UP: u32 = 0xffffffffu;
+
 // The closest hit so far.
 struct Hit {
     // The ray's parameter there, or MISS.
@@ -12,6 +15,13 @@ struct Hit {
     row: u32,
     // Shapes tested so far.
     tests: u32,
+    // How far the ray has come in the list of volumes: the entry, and the primitives
+    // of a run that are done.
+    entry: u32,
+    done: u32,
+    // Volumes tested so far, and those of them that the ray met.
+    bound_tests: u32,
+    bound_hits: u32,
 }
 
 // What shading needs to know of a hit.
@@ -24,7 +34,7 @@ struct Surface {
 
 // Nothing hit, nothing tested.
 fn no_hit() -> Hit {
-    return Hit(MISS, NO_HIT, 0u, 0u);
+    return Hit(MISS, NO_HIT, 0u, 0u, 0u, 0u, 0u, 0u);
 }
 
 // Counts a test, and says whether its t may be the closest. A tie is for

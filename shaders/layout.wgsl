@@ -49,6 +49,18 @@ struct Surroundings {
     point_lights: u32,
 }
 
+struct Volume {
+    kind: u32,
+    begin: u32,
+    end: u32,
+    skip: u32,
+}
+
+struct BoxRecord {
+    low: vec3<f32>,
+    high: vec3<f32>,
+}
+
 // Where each table of the scene begins, in quads.
 struct Tables {
     spheres: u32,
@@ -60,6 +72,10 @@ struct Tables {
     vertices: u32,
     vertex_normals: u32,
     pairs: u32,
+    volumes: u32,
+    volume_count: u32,
+    balls: u32,
+    boxes: u32,
     materials: u32,
     material_indices: u32,
     lights: u32,
@@ -88,6 +104,9 @@ struct Dispatch {
     workgroups: u32,
     workgroups_across: u32,
     stride: u32,
+    steps: u32,
+    last: u32,
+    padding: vec2<u32>,
 }
 
 struct HitRecord {

@@ -4,6 +4,18 @@
 // run of primitives where there are no volumes, with the closest hit carried in
 // `hits`; then one of `shade_tile`.
 
+// Tests the primitive in a row of the table of its kind, as src/flat.rs counts
+// kinds.
+fn test_row(probe: Probe, kind: u32, row: u32, hit: ptr<function, Hit>) {
+    if kind == 0u {
+        test_sphere(probe, row, hit);
+    } else if kind == 1u {
+        test_disk(probe, row, hit);
+    } else {
+        test_triangle(probe, row, hit);
+    }
+}
+
 // What the ray sees at its hit.
 fn shade_hit(ray: Ray, hit: Hit) -> Pixel {
     var surface: Surface;
@@ -39,6 +51,17 @@ fn tile_pixel(workgroup: u32, lane: u32) -> vec2<u32> {
     return vec2<u32>(8u * across + even_bits(lane), 8u * down + even_bits(lane >> 1u));
 }
 
+// The closest hit so far of a pixel of the tile.
+fn hit_at(index: u32) -> Hit {
+    let record = hits[index];
+    var hit = no_hit();
+    hit.t = real(record.t);
+    hit.id = record.id;
+    hit.row = record.row;
+    hit.tests = record.tests;
+    return hit;
+}
+
 // Finds the closest hit of the tile's pixels among the primitives of the
 // dispatch and of those before it.
 @compute @workgroup_size(64)
@@ -53,12 +76,14 @@ fn trace_tile(
     let index = at.y * dispatch.size.x + at.x;
     var hit = no_hit();
     if dispatch.fresh == 0u {
-        let record = hits[index];
-        hit = Hit(real(record.t), record.id, record.row, record.tests);
+        hit = hit_at(index);
+        load_cursor(index, &hit);
     }
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
     closest_hit(probe_of(ray), &hit);
     hits[index] = HitRecord(f32(hit.t), hit.id, hit.row, hit.tests);
+    store_cursor(index, hit);
+    keep_counts(index, hit);
 }
 
 // Colours the tile's pixels.
@@ -72,8 +97,7 @@ fn shade_tile(
         return;
     }
     let index = at.y * dispatch.size.x + at.x;
-    let record = hits[index];
-    let hit = Hit(real(record.t), record.id, record.row, record.tests);
+    let hit = hit_at(index);
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
     if hit.id == NO_HIT {
         pixels[index] = shade_miss(ray, hit);

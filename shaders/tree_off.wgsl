@@ -1,9 +1,5 @@
-// No volumes: every primitive is tested.
+// No tree: volumes in a list, or none.
 
-// The nearest of all primitives of the dispatch.
 fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
-    closest_sphere(probe, hit);
-    closest_plane(probe, hit);
-    closest_disk(probe, hit);
-    closest_triangle(probe, hit);
+    closest_in_volumes(probe, hit);
 }

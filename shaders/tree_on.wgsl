@@ -7,9 +7,6 @@ const STACK: u32 = 64u;
 // it the ray is given up, and said to be. Below lavapipe's 65,535 iterations.
 const MOST_VISITS: u32 = 30000u;
 
-// In place of a hit's tests: the ray was given up.
-const GIVEN_UP: u32 = 0xffffffffu;
-
 // See src/layout.rs.
 const LEAF: u32 = 0x80000000u;
 const LEAF_KIND: u32 = 29u;
@@ -59,13 +56,7 @@ fn test_leaf(probe: Probe, leaf: u32, hit: ptr<function, Hit>) -> bool {
     var row = leaf & ((1u << LEAF_COUNT) - 1u);
     let end = row + ((leaf >> LEAF_COUNT) & 7u) + 1u;
     while row < end {
-        if kind == 0u {
-            test_sphere(probe, row, hit);
-        } else if kind == 1u {
-            test_disk(probe, row, hit);
-        } else {
-            test_triangle(probe, row, hit);
-        }
+        test_row(probe, kind, row, hit);
         row++;
     }
     return row == end;
@@ -106,6 +97,8 @@ fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
             let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
             let to_left = may_be_nearer(left, *hit);
             let to_right = may_be_nearer(right, *hit);
+            count_bound(hit, to_left);
+            count_bound(hit, to_right);
             let left_first = to_left && (!to_right || left.enter <= right.enter);
             at = select(children.right, children.left, left_first);
             if to_left && to_right {

@@ -6,10 +6,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use crate::count::Counters;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
+use crate::kernel::camera::camera_ray;
+use crate::kernel::hit::no_hit;
+use crate::kernel::probe::probe_of;
 use crate::kernel::real::Real;
-use crate::kernel::trace::trace_pixel;
+use crate::kernel::trace::{find_hit, trace_pixel};
 use crate::layout::Pixel;
 use crate::watch::Watch;
 
@@ -37,6 +41,48 @@ pub fn render<R: Real>(
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
     Prepared::new(flat, threads)?.run(watch, keep_rows)
+}
+
+/// Counts what the rays of a picture test.
+///
+/// # Errors
+///
+/// As [`Prepared::new`] and [`Prepared::run`].
+pub fn count<R: Real>(
+    flat: &Flat<R>,
+    threads: Option<NonZeroUsize>,
+    watch: &dyn Watch,
+) -> Result<Counters> {
+    let [width, height] = flat.size;
+    let rows_done = AtomicU64::new(0);
+    let count_row = |y: u32| {
+        if watch.cancelled() {
+            return Err(Error::Interrupted);
+        }
+        let mut row = Counters::default();
+        for x in 0..width {
+            let mut hit = no_hit();
+            find_hit(
+                flat,
+                probe_of(camera_ray(&flat.camera, flat.size, x, y)),
+                &mut hit,
+            );
+            row += Counters {
+                bound_tests: hit.bound_tests.into(),
+                bound_hits: hit.bound_hits.into(),
+                shape_tests: hit.tests.into(),
+            };
+        }
+        let done = rows_done.fetch_add(1, Ordering::Relaxed) + 1;
+        watch.progress(done as f64 / f64::from(height));
+        Ok(row)
+    };
+    Prepared::new(flat, threads)?.pool.install(|| {
+        (0..height)
+            .into_par_iter()
+            .map(count_row)
+            .try_reduce(Counters::default, |a, b| Ok(a + b))
+    })
 }
 
 /// A scene and the threads that wait for it: ready to be traced, any number of

@@ -84,9 +84,11 @@ impl Fetch {
     }
 }
 
-/// What a device brings to every shader.
+/// What a device brings to every shader, and what is asked of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Device {
+    /// Whether volumes are counted.
+    pub count: bool,
     /// Division and square root.
     pub divide: Source,
     /// Where the scene lies.
@@ -130,6 +132,12 @@ pub const EFFECTS: &[Effect] = &[
         off: &[file!("tree_off.wgsl")],
     },
     Effect {
+        name: "volumes",
+        called_for: |counts| counts.volumes > 0,
+        on: &[file!("ball.wgsl"), file!("volumes_on.wgsl")],
+        off: &[file!("volumes_off.wgsl")],
+    },
+    Effect {
         name: "smooth normals",
         called_for: |counts| counts.vertex_normals > 0,
         on: &[file!("smooth_normals_on.wgsl")],
@@ -167,6 +175,11 @@ pub fn shader_files(counts: &Counts, device: Device) -> Vec<Source> {
 pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Source> {
     let mut files = ALWAYS.to_vec();
     files.extend([device.divide, device.fetch.file()]);
+    files.push(if device.count {
+        file!("count_on.wgsl")
+    } else {
+        file!("count_off.wgsl")
+    });
     for effect in EFFECTS {
         for file in effect.files(chosen(effect)) {
             if !files.iter().any(|present| present.name == file.name) {

@@ -1,11 +1,13 @@
 //! The scene as plain arrays, which both tracers read.
 
+use std::ops::Range;
+
 use serde::Serialize;
 
 use crate::bounds::tree::Tree;
 use crate::layout::{
-    CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane, QUAD, Sphere,
-    Surroundings,
+    BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane, QUAD, Sphere,
+    Surroundings, Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -56,10 +58,40 @@ pub struct Flat<R> {
     /// The normal at each vertex, zero where it has none; empty where no vertex has
     /// any.
     pub vertex_normals: Vec<[f32; 3]>,
+    /// The groups and meshes of the scene, what volumes may be put around.
+    pub parts: Vec<Part<R>>,
+    /// A list of volumes and of what they hold; empty where there is none.
+    pub volumes: Vec<Volume>,
+    /// The volumes that are balls.
+    pub balls: Vec<Sphere<R>>,
+    /// The volumes that are boxes.
+    pub boxes: Vec<BoxRecord>,
     /// The bounding volume hierarchy; empty where there is none.
     pub tree: Tree,
     /// The same as [`crate::kernel::tree`] reads it, the root first.
     pub pairs: Vec<Pair>,
+}
+
+/// A group or a mesh of the scene.
+#[derive(Debug, Clone)]
+pub struct Part<R> {
+    /// The group that holds it, an index into [`Flat::parts`].
+    pub parent: Option<usize>,
+    /// Whether it is a mesh.
+    pub is_mesh: bool,
+    /// The volume that the scene gives a group by hand, camera-relative.
+    pub given: Option<GivenBound<R>>,
+    /// Its own primitives, without those of the parts in it.
+    pub ids: Vec<Range<u32>>,
+}
+
+/// A volume that the scene gives by hand, camera-relative.
+#[derive(Debug, Clone, Copy)]
+pub enum GivenBound<R> {
+    /// A ball.
+    Ball(Sphere<R>),
+    /// A box.
+    Box(BoxRecord),
 }
 
 impl<R> Flat<R> {
@@ -104,6 +136,7 @@ impl<R> Flat<R> {
             triangles: self.triangles.len(),
             vertex_normals: self.vertex_normals.len(),
             pairs: self.pairs.len(),
+            volumes: self.volumes.len(),
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
@@ -123,6 +156,9 @@ impl<R> Flat<R> {
             + vectors(self.vertices.len(), size_of::<R>())
             + vectors(self.vertex_normals.len(), size_of::<f32>())
             + size_of_val(self.pairs.as_slice())
+            + size_of_val(self.volumes.as_slice())
+            + size_of_val(self.balls.as_slice())
+            + size_of_val(self.boxes.as_slice())
             + size_of_val(self.materials.as_slice())
             + words(self.material_indices.len())
             + size_of_val(self.lights.as_slice());
@@ -151,6 +187,8 @@ pub struct Counts {
     pub vertex_normals: usize,
     /// Inner nodes of the tree.
     pub pairs: usize,
+    /// Entries of the list of volumes.
+    pub volumes: usize,
     /// Point lights.
     pub point_lights: usize,
     /// Directional lights.

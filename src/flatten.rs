@@ -5,21 +5,28 @@
 //! the camera's position first, then the small coordinates.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use glam::{DMat3, DVec3};
 
 use crate::bounds::tree::Tree;
-use crate::flat::Flat;
+use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::real::Real;
 use crate::layout::{
-    CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere, Surroundings,
+    BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere,
+    Surroundings,
 };
 use crate::scene::{
-    Camera, Falloff, Geometry, Light, Mesh, PixelSampling, Scene, Shape, Transform,
+    Camera, Falloff, Geometry, GroupBound, Light, Mesh, PixelSampling, Scene, Shape, Transform,
 };
 
 /// Flattens a valid scene (see [`Scene::validate`]).
 pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
+    flatten_with_ids(scene).0
+}
+
+/// Flattens a valid scene, and gives the ids of each shape.
+pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
     let eye = scene.camera.eye;
     let mut flat = Flat {
         size: [scene.image.width, scene.image.height],
@@ -43,6 +50,10 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
         triangles: Vec::new(),
         vertices: Vec::new(),
         vertex_normals: Vec::new(),
+        parts: Vec::new(),
+        volumes: Vec::new(),
+        balls: Vec::new(),
+        boxes: Vec::new(),
         tree: Tree::default(),
         pairs: Vec::new(),
     };
@@ -53,8 +64,9 @@ pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
         });
     }
     push_lights(&mut flat, &scene.lights, eye);
-    push_shapes(&mut flat, scene);
-    flat
+    let ids = push_shapes(&mut flat, scene);
+    flat.parts = parts(scene, &ids);
+    (flat, ids)
 }
 
 /// The camera's axes, scaled so that they reach the picture's edges at distance
@@ -113,68 +125,127 @@ fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
 }
 
 /// The primitives kind by kind, so that ids run through each kind in the order
-/// of the scene.
-fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) {
-    let eye = scene.camera.eye;
-    for shape in &scene.shapes {
-        if let Geometry::Sphere { center, radius } = shape.geometry {
-            flat.sphere_ids.push(flat.primitives());
-            flat.spheres.push(Sphere {
-                center: real_vector(place(center, &shape.transform, eye)),
-                radius: R::from_f64(radius * uniform_scale(&shape.transform)),
-            });
-            flat.material_indices.push(shape.material as u32);
+/// of the scene. Gives the ids of each shape.
+fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) -> Vec<Range<u32>> {
+    let mut ids = vec![0..0; scene.shapes.len()];
+    for kind in 0..4 {
+        for (shape, ids) in scene.shapes.iter().zip(&mut ids) {
+            if kind_rank(&shape.geometry) == kind {
+                let first = flat.primitives();
+                push_shape(flat, shape, scene.camera.eye);
+                *ids = first..flat.primitives();
+            }
         }
     }
-    for shape in &scene.shapes {
-        if let Geometry::Plane { point, normal } = shape.geometry {
-            let normal = turn(normal, &shape.transform);
-            let foot = normal * place(point, &shape.transform, eye).dot(normal);
+    if !flat.vertex_normals.is_empty() {
+        flat.vertex_normals.resize(flat.vertices.len(), [0.0; 3]);
+    }
+    ids
+}
+
+/// The place of a kind in the order of the ids.
+fn kind_rank(geometry: &Geometry) -> u32 {
+    match geometry {
+        Geometry::Sphere { .. } => 0,
+        Geometry::Plane { .. } => 1,
+        Geometry::Disk { .. } => 2,
+        Geometry::Triangle { .. } | Geometry::Mesh(_) => 3,
+    }
+}
+
+fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, eye: DVec3) {
+    let transform = &shape.transform;
+    match &shape.geometry {
+        Geometry::Sphere { center, radius } => {
+            flat.sphere_ids.push(flat.primitives());
+            flat.spheres.push(Sphere {
+                center: real_vector(place(*center, transform, eye)),
+                radius: R::from_f64(radius * uniform_scale(transform)),
+            });
+        }
+        Geometry::Plane { point, normal } => {
+            let normal = turn(*normal, transform);
+            let foot = normal * place(*point, transform, eye).dot(normal);
             flat.planes.push(Plane {
                 point: real_vector(foot),
                 padding_0: R::ZERO,
                 normal: real_vector(normal),
                 padding_1: R::ZERO,
             });
-            flat.material_indices.push(shape.material as u32);
         }
-    }
-    for shape in &scene.shapes {
-        if let Geometry::Disk {
+        Geometry::Disk {
             center,
             normal,
             radius,
-        } = shape.geometry
-        {
+        } => {
             flat.disk_ids.push(flat.primitives());
             flat.disks.push(Disk {
-                center: real_vector(place(center, &shape.transform, eye)),
-                radius: R::from_f64(radius * uniform_scale(&shape.transform)),
-                normal: real_vector(turn(normal, &shape.transform)),
+                center: real_vector(place(*center, transform, eye)),
+                radius: R::from_f64(radius * uniform_scale(transform)),
+                normal: real_vector(turn(*normal, transform)),
                 padding: R::ZERO,
             });
-            flat.material_indices.push(shape.material as u32);
+        }
+        Geometry::Triangle { vertices } => {
+            let first = flat.vertices.len() as u32;
+            let id = flat.primitives();
+            let placed = vertices.map(|v| real_vector(place(v, transform, eye)));
+            flat.vertices.extend(placed);
+            flat.triangles.push(Corners {
+                vertices: [first, first + 1, first + 2],
+                id,
+            });
+        }
+        Geometry::Mesh(mesh) => return push_mesh(flat, mesh, shape, eye),
+    }
+    flat.material_indices.push(shape.material as u32);
+}
+
+/// The groups of the scene, then its meshes. `ids` tells those of each shape.
+fn parts<R: Real>(scene: &Scene, ids: &[Range<u32>]) -> Vec<Part<R>> {
+    let eye = scene.camera.eye;
+    let mut parts: Vec<Part<R>> = scene
+        .groups
+        .iter()
+        .map(|group| Part {
+            parent: group.parent,
+            is_mesh: false,
+            given: given_bound(group.bound, eye),
+            ids: Vec::new(),
+        })
+        .collect();
+    let mut holders = vec![None; scene.shapes.len()];
+    for (group, index) in scene.groups.iter().zip(0..) {
+        holders[group.shapes.clone()].fill(Some(index));
+    }
+    for ((shape, ids), holder) in scene.shapes.iter().zip(ids).zip(holders) {
+        match (&shape.geometry, holder) {
+            (Geometry::Mesh(_), parent) => parts.push(Part {
+                parent,
+                is_mesh: true,
+                given: None,
+                ids: vec![ids.clone()],
+            }),
+            (_, Some(group)) => parts[group].ids.push(ids.clone()),
+            (_, None) => {}
         }
     }
-    for shape in &scene.shapes {
-        match &shape.geometry {
-            Geometry::Triangle { vertices } => {
-                let first = flat.vertices.len() as u32;
-                let id = flat.primitives();
-                let placed = vertices.map(|v| real_vector(place(v, &shape.transform, eye)));
-                flat.vertices.extend(placed);
-                flat.triangles.push(Corners {
-                    vertices: [first, first + 1, first + 2],
-                    id,
-                });
-                flat.material_indices.push(shape.material as u32);
-            }
-            Geometry::Mesh(mesh) => push_mesh(flat, mesh, shape, eye),
-            _ => {}
-        }
-    }
-    if !flat.vertex_normals.is_empty() {
-        flat.vertex_normals.resize(flat.vertices.len(), [0.0; 3]);
+    parts
+}
+
+fn given_bound<R: Real>(bound: GroupBound, eye: DVec3) -> Option<GivenBound<R>> {
+    match bound {
+        GroupBound::Auto => None,
+        GroupBound::Ball { center, radius } => Some(GivenBound::Ball(Sphere {
+            center: real_vector(center - eye),
+            radius: R::from_f64(radius),
+        })),
+        GroupBound::Box { low, high } => Some(GivenBound::Box(BoxRecord {
+            low: (low - eye).as_vec3().to_array(),
+            padding_0: 0.0,
+            high: (high - eye).as_vec3().to_array(),
+            padding_1: 0.0,
+        })),
     }
 }
 

@@ -15,6 +15,12 @@ pub const NO_HIT: u32 = u32::MAX;
 /// Words of a quad, the unit in which the shaders read the scene.
 pub const QUAD: usize = 4;
 
+/// The kind of a [`Volume`] that is a ball.
+pub const BALL: u32 = 3;
+
+/// The kind of a [`Volume`] that is a box.
+pub const BOX: u32 = 4;
+
 /// Set in a child of a [`Pair`] that is a leaf: primitives of one kind, a run of
 /// rows of its table. The first row is in the lowest bits.
 pub const LEAF: u32 = 1 << 31;
@@ -177,6 +183,31 @@ records! {
         right: u32,
     }
 
+    /// An entry of the list of volumes: a run of primitives, or a volume around the
+    /// entries from the next one to before `skip`.
+    Volume {
+        /// A [`crate::flat::Kind`] for a run, else [`BALL`] or [`BOX`].
+        kind: u32,
+        /// The run's first row of its kind's table, or the volume's row of its table.
+        begin: u32,
+        /// One past the run's last row.
+        end: u32,
+        /// The entry after all that is in the volume, or after the run.
+        skip: u32,
+    }
+
+    /// An axis-aligned box.
+    BoxRecord {
+        /// The smallest coordinates.
+        low: [f32; 3],
+        /// Unused.
+        padding_0: f32,
+        /// The largest coordinates.
+        high: [f32; 3],
+        /// Unused.
+        padding_1: f32,
+    }
+
     /// How a surface answers light.
     MaterialRecord {
         /// Linear, per channel.
@@ -236,6 +267,14 @@ records! {
         /// Two quads each, the root first.
         pairs: u32,
         /// One quad each.
+        volumes: u32,
+        /// How many volumes and runs there are.
+        volume_count: u32,
+        /// One quad each, as spheres.
+        balls: u32,
+        /// Two quads each.
+        boxes: u32,
+        /// One quad each.
         materials: u32,
         /// The material of each id; four to a quad.
         material_indices: u32,
@@ -285,6 +324,12 @@ records! {
         workgroups_across: u32,
         /// From one workgroup's place to the next one's; coprime to `workgroups`.
         stride: u32,
+        /// Entries and primitives of the list of volumes that a ray goes through.
+        steps: u32,
+        /// 1 in a tile's last dispatch, after which no ray may be on its way, else 0.
+        last: u32,
+        /// Unused.
+        padding: [u32; 2],
     }
 
     /// A pixel's closest hit so far, carried from one dispatch to the next.

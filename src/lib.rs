@@ -22,6 +22,7 @@
 
 pub mod bounds;
 pub mod compare;
+pub mod count;
 pub mod cpu;
 pub mod effects;
 pub mod error;

@@ -6,6 +6,7 @@ use std::time::Instant;
 use serde::Serialize;
 
 use crate::bounds::{self, Bounds};
+use crate::count::Counters;
 use crate::effects::effects_of;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -133,6 +134,9 @@ pub struct Stats {
     pub mrays_per_s: f64,
     /// Bytes of the scene's arrays, as uploaded.
     pub device_bytes: u64,
+    /// What the rays tested, where that was counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub counters: Option<Counters>,
 }
 
 /// Renders a scene.
@@ -181,10 +185,54 @@ pub fn render(
                 trace_on_gpu(gpu, flat, watch, keep)
             })
         }
-        (Backend::Gpu(_), Accuracy::Double) => Err(Error::Usage(
-            "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
-        )),
+        (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
     }
+}
+
+/// Counts what the rays of a picture test, in a pass of its own: with a shader that
+/// counts, or on the CPU with the arithmetic of the shader.
+///
+/// # Errors
+///
+/// As [`render`].
+pub fn count(
+    scene: &Scene,
+    backend: &Backend,
+    settings: impl Into<Settings>,
+    watch: &dyn Watch,
+) -> Result<Counters> {
+    scene.validate()?;
+    let settings = settings.into();
+    let counters = match (backend, settings.accuracy) {
+        (Backend::Cpu(threads), Accuracy::Robust) => {
+            cpu::count(&bounded::<f32>(scene, settings), *threads, watch)
+        }
+        (Backend::Cpu(threads), Accuracy::Double) => {
+            cpu::count(&bounded::<f64>(scene, settings), *threads, watch)
+        }
+        (Backend::Gpu(gpu), Accuracy::Robust) => {
+            let portions = Portions {
+                count: true,
+                ..Portions::default()
+            };
+            let flat = bounded::<f32>(scene, settings);
+            let mut prepared = gpu::render::Prepared::new(gpu, &flat, portions)?;
+            prepared.run(watch, &mut |_, _| {})?;
+            Ok(prepared.counters().unwrap_or_default())
+        }
+        (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
+    }?;
+    Ok(counters)
+}
+
+fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {
+    let mut flat = flatten::<R>(scene);
+    bounds::bound(&mut flat, settings.bounds);
+    flat
+}
+
+fn no_double() -> Error {
+    Error::Usage("the accuracy `double` is computed on the CPU: add `--backend cpu`".into())
 }
 
 /// Takes rows of pixels, with the number of their first row.
@@ -203,13 +251,15 @@ fn run<R: Real>(
     let started = Instant::now();
     let mut flat = flatten::<R>(scene);
     let build_started = Instant::now();
-    bounds::bound(&mut flat, settings.bounds);
+    let mut bounds = settings.bounds;
+    bounds::bound(&mut flat, bounds);
     let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
     if !trace_and_keep(&flat, trace, &mut frame)? {
         tracing::warn!("some rays meet too many volumes: tracing without volumes");
-        bounds::bound(&mut flat, Bounds::None);
+        bounds = Bounds::None;
+        bounds::bound(&mut flat, bounds);
         trace_and_keep(&flat, trace, &mut frame)?;
     }
     let trace_ms = milliseconds(trace_started);
@@ -226,7 +276,7 @@ fn run<R: Real>(
         height: frame.height,
         samples: 1,
         accuracy: settings.accuracy,
-        bounds: settings.bounds,
+        bounds,
         effects: effects_of(&flat.counts()),
         primitives: flat.primitives(),
         seconds: started.elapsed().as_secs_f64(),
@@ -235,6 +285,7 @@ fn run<R: Real>(
         rays,
         mrays_per_s: rays as f64 / trace_ms.max(1e-6) / 1e3,
         device_bytes: flat.bytes(),
+        counters: None,
     };
     Ok(Rendering { frame, stats })
 }

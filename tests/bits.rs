@@ -2,18 +2,18 @@
 
 mod common;
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
 
-use common::{BRUTE_FORCE, assert_same_bits, compare, gpu, on_cpu, on_gpu, scene};
-use glam::{DMat3, DVec3};
+use common::{BRUTE_FORCE, assert_same_bits, compare, gpu, mesh_scene, on_cpu, on_gpu, scene};
+use glam::DVec3;
 use rayproof::bounds::{Bounds, bound};
 use rayproof::effects::Fetch;
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
 use rayproof::layout::Pixel;
-use rayproof::scene::mesh::{Builtin, build};
-use rayproof::scene::{Falloff, Geometry, Light, MAX_LIGHTS, Material, Shape, Transform};
+use rayproof::scene::mesh::Builtin;
+use rayproof::scene::{Falloff, Geometry, Light, MAX_LIGHTS};
 use rayproof::{Backend, Error, Scene, Unwatched, Watch};
 
 #[test]
@@ -98,26 +98,6 @@ fn an_empty_scene_is_background() {
     assert!(frame.depth.iter().all(|depth| depth.is_infinite()));
 }
 
-fn mesh_scene(kind: Builtin, detail: u32, size: u32) -> Scene {
-    Scene {
-        ambient: [1.0; 3],
-        materials: vec![Material {
-            name: "white".into(),
-            albedo: [0.8; 3],
-        }],
-        shapes: vec![Shape {
-            geometry: Geometry::Mesh(Arc::new(build(kind, detail))),
-            transform: Transform {
-                linear: DMat3::IDENTITY,
-                translate: DVec3::new(0.0, 0.0, -3.0),
-            },
-            material: 0,
-        }],
-        ..Scene::default()
-    }
-    .with_size(size, size)
-}
-
 /// More triangles than lavapipe loops: right all the same, in small dispatches.
 #[test]
 fn two_hundred_thousand_triangles_without_volumes() {
@@ -196,6 +176,7 @@ fn dispatches_and_memories_do_not_show() {
             let cut = Portions {
                 primitives_per_dispatch: 100,
                 fetch: Some(fetch),
+                ..Portions::default()
             };
             assert_eq!(render_in(&scene, cut).unwrap(), whole, "{fetch:?}");
         }

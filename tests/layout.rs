@@ -7,6 +7,7 @@ use rayproof::layout::*;
 const NATIVE: Device = Device {
     divide: DIVIDE_NATIVE,
     fetch: Fetch::Storage,
+    count: false,
 };
 
 fn all_effects() -> Program {
@@ -26,15 +27,23 @@ fn mismatch<T: Record>(program: &Program) -> Option<String> {
     (shader.as_ref() != Some(&host)).then(|| format!("{}: {host:?}, {shader:?}", T::NAME))
 }
 
+/// A tree takes the place of the list of volumes.
+fn all_but_the_tree() -> Program {
+    Program::build(&select_files(|effect| effect.name != "tree", NATIVE)).unwrap()
+}
+
 #[test]
 fn host_structs_lie_as_the_shaders_read_them() {
     let program = all_effects();
+    let lists = all_but_the_tree();
     let mismatches: Vec<String> = [
         mismatch::<CameraRecord<f32>>(&program),
         mismatch::<Sphere<f32>>(&program),
         mismatch::<Plane<f32>>(&program),
         mismatch::<Disk<f32>>(&program),
         mismatch::<Triangle<f32>>(&program),
+        mismatch::<Volume>(&lists),
+        mismatch::<BoxRecord>(&lists),
         mismatch::<MaterialRecord>(&program),
         mismatch::<LightRecord>(&program),
         mismatch::<Surroundings>(&program),
@@ -58,7 +67,7 @@ fn no_struct_is_left_out() {
         text.lines()
             .filter(|line| line.starts_with("struct "))
             .count(),
-        13
+        15
     );
 }
 
@@ -114,6 +123,7 @@ fn bindings_are_these() {
             ("tables", 0, 3, Access::Uniform),
             ("hits", 0, 4, Access::Write),
             ("pixels", 0, 5, Access::Write),
+            ("cursors", 0, 6, Access::Write),
             ("scene", 1, 0, access),
         ]
         .map(|(name, group, binding, access)| Binding {
@@ -152,6 +162,7 @@ fn every_combination_of_effects_compiles() {
                 DIVIDE_CORRECTED
             },
             fetch: Fetch::ALL[choice as usize % 3],
+            count: choice & 2 == 2,
         };
         let files = select_files(|effect| on(effect.name), device);
         let program = Program::build(&files).unwrap();
@@ -171,6 +182,8 @@ fn every_combination_of_effects_compiles() {
         ] {
             assert_eq!(defines(function), on(effect), "{effect} in {choice:b}");
         }
+        let lists = on("volumes") && !on("tree");
+        assert_eq!(defines("volume_at"), lists, "{choice:b}");
         let smooth = on("triangles") && on("smooth normals");
         assert_eq!(defines("vertex_normal_at"), smooth, "{choice:b}");
         let planes = on("planes") || on("disks");

@@ -7,7 +7,7 @@ use std::path::Path;
 use rayproof::effects::EFFECTS;
 
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 7] = [
+const WITHOUT_TWIN: [(&str, &str); 10] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
     // The CPU traces a pixel in one call, the GPU a tile in two dispatches.
@@ -19,6 +19,10 @@ const WITHOUT_TWIN: [(&str, &str); 7] = [
     // Which pixel an invocation takes is no arithmetic of the picture.
     ("trace", "even_bits"),
     ("trace", "tile_pixel"),
+    // A ray of the CPU goes through the whole list at once, and counts where it is.
+    ("volumes", "load_cursor"),
+    ("volumes", "store_cursor"),
+    ("count", "keep_counts"),
 ];
 
 /// The ending of functions that read a record: on the CPU, tables are arrays.

@@ -1,15 +1,13 @@
-//! Primitives in the order of their leaves, so that a leaf is a run of rows.
+//! Primitives in the order of their volumes, so that what one holds is a run of rows.
 
 use crate::flat::Flat;
 
-/// Puts the rows of each kind's table into the order in which the tree's leaves
-/// hold them, and tells the row of each of the tree's ids.
-pub(super) fn arrange<R: Copy>(flat: &mut Flat<R>) -> Vec<u32> {
-    // The ids of each kind, in the order of the leaves.
+/// Puts the rows of each kind's table into the order of `ids`, and tells the row of
+/// each of them. They are all primitives but the planes, or none.
+pub(super) fn arrange<R: Copy>(flat: &mut Flat<R>, ids: &[u32]) -> Vec<u32> {
+    // The ids of each kind, in the order wanted.
     let mut orders: [Vec<u32>; 3] = Default::default();
-    let rows = flat
-        .tree
-        .ids
+    let rows = ids
         .iter()
         .map(|&id| {
             let order = &mut orders[flat.kind_of(id).0 as usize];
@@ -17,7 +15,7 @@ pub(super) fn arrange<R: Copy>(flat: &mut Flat<R>) -> Vec<u32> {
             order.len() as u32 - 1
         })
         .collect();
-    if !flat.tree.ids.is_empty() {
+    if !ids.is_empty() {
         let [spheres, disks, triangles] = orders;
         let sources = sources(&flat.sphere_ids, &spheres, flat.first_sphere());
         flat.spheres = picked(&flat.spheres, &sources);

@@ -1,14 +1,21 @@
 //! Bounding volumes: rays that miss a volume skip what is in it.
 //!
 //! [`tree`] builds a bounding volume hierarchy over all primitives but the
-//! planes, and `validate` proves a built tree; `arrange` puts the primitives into
-//! its order; [`pairs`] packs it for the shaders.
+//! planes, `validate` proves a built tree, and [`pairs`] packs it for the shaders.
+//! `volumes` lists the volumes of groups and meshes: `held` says how large they must
+//! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand.
+//! `arrange` puts the primitives into the volumes' order.
 
 mod arrange;
+pub mod ball;
+mod held;
+mod overfull;
 pub mod pairs;
 pub mod tree;
 mod validate;
+mod volumes;
 
+pub use overfull::overfull_groups;
 pub use validate::validate;
 
 use serde::Serialize;
@@ -16,18 +23,36 @@ use serde::Serialize;
 use self::arrange::arrange;
 use self::pairs::pack_pairs;
 use self::tree::Tree;
+use self::volumes::{Listing, list_volumes};
 use crate::flat::Flat;
 use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
 use crate::kernel::real::Real;
 use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::Vec3;
 
-/// The volumes in use. They never change the picture.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+/// Levels of [`Bounds::Spheres`] and [`Bounds::Boxes`] at most: four to the sixteenth
+/// is more than any scene has primitives.
+pub const MAX_LEVELS: u32 = 16;
+
+/// The volumes in use. They never change the picture, unless the scene itself gives a
+/// group a volume that does not hold it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Bounds {
     /// Brute force: the reference.
     None,
+    /// The volumes of the scene's groups, as the scene gives them.
+    Scene,
+    /// A tight sphere around each group and each mesh, and in each, `levels` deep,
+    /// four more around a quarter of what it holds.
+    Spheres {
+        /// 1 for no more than one sphere a group or mesh.
+        levels: u32,
+    },
+    /// The same with axis-aligned boxes.
+    Boxes {
+        /// As of the spheres.
+        levels: u32,
+    },
     /// A bounding volume hierarchy.
     #[default]
     Tree,
@@ -38,22 +63,42 @@ impl Bounds {
     pub fn name(self) -> &'static str {
         match self {
             Bounds::None => "none",
+            Bounds::Scene => "scene",
+            Bounds::Spheres { .. } => "spheres",
+            Bounds::Boxes { .. } => "boxes",
             Bounds::Tree => "tree",
         }
     }
 }
 
-/// Builds the volumes of a flattened scene.
+impl Serialize for Bounds {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// Builds the volumes of a flattened scene, in place of those that it has.
 pub fn bound<R: Real>(flat: &mut Flat<R>, bounds: Bounds) {
-    flat.tree = match bounds {
-        Bounds::None => Tree::default(),
-        Bounds::Tree => tree::build(primitive_boxes(flat), &|id| flat.kind_of(id).0),
-    };
-    let rows = arrange(flat);
-    flat.pairs = pack_pairs(&flat.tree, |first| {
-        let (kind, _) = flat.kind_of(flat.tree.ids[first as usize]);
+    flat.tree = Tree::default();
+    flat.pairs = Vec::new();
+    (flat.volumes, flat.balls, flat.boxes) = Default::default();
+    match bounds {
+        Bounds::None => {}
+        Bounds::Scene => list_volumes(flat, Listing::Given),
+        Bounds::Spheres { levels } => list_volumes(flat, Listing::Balls(levels)),
+        Bounds::Boxes { levels } => list_volumes(flat, Listing::Boxes(levels)),
+        Bounds::Tree => grow_tree(flat),
+    }
+}
+
+fn grow_tree<R: Real>(flat: &mut Flat<R>) {
+    let tree = tree::build(primitive_boxes(flat), &|id| flat.kind_of(id).0);
+    let rows = arrange(flat, &tree.ids);
+    flat.pairs = pack_pairs(&tree, |first| {
+        let (kind, _) = flat.kind_of(tree.ids[first as usize]);
         (kind, rows[first as usize])
     });
+    flat.tree = tree;
 }
 
 /// The box of each primitive but the planes, which have none, with its id: the

@@ -6,6 +6,7 @@ use super::Outcome;
 use super::faults::Faulty;
 use super::flags::{CheckArguments, Common};
 use super::report::{self, table};
+use rayproof::bounds::overfull_groups;
 use rayproof::effects::effects_of;
 use rayproof::error::Result;
 use rayproof::flatten::flatten;
@@ -42,6 +43,8 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
             return Err(error);
         }
     };
+    let mut warnings = loaded.warnings;
+    warnings.extend(overfull_groups(&loaded.scene));
     let flat = flatten::<f32>(&loaded.scene);
     let contents = Contents {
         scene: name,
@@ -55,7 +58,7 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
         materials: flat.materials.len(),
         effects: effects_of(&flat.counts()),
         device_bytes: flat.bytes(),
-        warnings: loaded.warnings,
+        warnings,
         faults: [],
     };
     if common.json {

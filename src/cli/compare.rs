@@ -96,7 +96,7 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
         );
     }
     let settings = Settings {
-        bounds: place.bounds(),
+        bounds: place.bounds()?,
         ..Settings::default()
     };
     let tolerance = arguments.tolerance(otherwise);

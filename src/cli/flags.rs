@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::bench::flags::BenchArguments;
-use rayproof::bounds::Bounds;
+use rayproof::bounds::{Bounds, MAX_LEVELS};
 use rayproof::compare::Tolerance;
 use rayproof::cpu::MAX_THREADS;
 use rayproof::error::{Error, Result};
@@ -85,6 +85,9 @@ pub(super) struct RenderArguments {
     /// What a pixel shows; for .exr several, or all layers if none is given
     #[arg(long, value_name = "LAYER", value_delimiter = ',', value_parser = parse_layer)]
     pub(super) layer: Vec<Layer>,
+    /// Count the volumes and shapes that the rays test, in a pass of its own
+    #[arg(long)]
+    pub(super) count: bool,
     /// Write figures of the run as JSON to a file, or to standard output as `-`
     #[arg(long, value_name = "FILE")]
     pub(super) stats: Option<PathBuf>,
@@ -116,6 +119,10 @@ pub(super) struct PlaceFlags {
     /// Bounding volumes; they change the time, never the picture
     #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
     pub(super) bounds: BoundsChoice,
+    /// Levels of spheres or boxes: 1 for one around each group and mesh, 2 for four more
+    /// in each, and so on
+    #[arg(long, value_name = "N", value_parser = parse_levels)]
+    pub(super) levels: Option<u32>,
     #[command(flatten)]
     pub(super) policy: PolicyFlags,
 }
@@ -144,6 +151,12 @@ pub(super) enum BackendChoice {
 pub(super) enum BoundsChoice {
     /// Brute force: every ray tests every primitive
     None,
+    /// The volumes of the scene's groups, as the scene file gives them
+    Scene,
+    /// A tight sphere around each group and mesh, and more in it with `--levels`
+    Spheres,
+    /// An axis-aligned box around each group and mesh, and more in it with `--levels`
+    Boxes,
     /// A bounding volume hierarchy
     Tree,
 }
@@ -232,11 +245,15 @@ impl TracingFlags {
     }
 
     /// How to render.
-    pub(super) fn settings(&self) -> Settings {
-        Settings {
+    ///
+    /// # Errors
+    ///
+    /// As [`PlaceFlags::bounds`].
+    pub(super) fn settings(&self) -> Result<Settings> {
+        Ok(Settings {
             accuracy: self.accuracy(),
-            bounds: self.place.bounds(),
-        }
+            bounds: self.place.bounds()?,
+        })
     }
 
     /// The accuracy asked for.
@@ -248,20 +265,45 @@ impl TracingFlags {
     }
 }
 
+/// Levels where `--levels` is not given.
+pub(super) const ONE_LEVEL: u32 = 1;
+
 impl BoundsChoice {
-    /// The volumes that it names.
-    pub(super) fn bounds(self) -> Bounds {
+    /// The volumes that it names, so many levels deep.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Usage`] for levels of volumes that have none.
+    pub(super) fn bounds(self, levels: Option<u32>) -> Result<Bounds> {
+        let deep = levels.unwrap_or(ONE_LEVEL);
         match self {
-            Self::None => Bounds::None,
-            Self::Tree => Bounds::Tree,
+            Self::Spheres => Ok(Bounds::Spheres { levels: deep }),
+            Self::Boxes => Ok(Bounds::Boxes { levels: deep }),
+            _ if levels.is_some() => Err(Error::Usage(
+                "`--levels` goes with `--bounds spheres` or `--bounds boxes`".into(),
+            )),
+            Self::None => Ok(Bounds::None),
+            Self::Scene => Ok(Bounds::Scene),
+            Self::Tree => Ok(Bounds::Tree),
         }
+    }
+}
+
+pub(super) fn parse_levels(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(levels) if (1..=MAX_LEVELS).contains(&levels) => Ok(levels),
+        _ => Err(format!("`{text}` is not a number from 1 to {MAX_LEVELS}")),
     }
 }
 
 impl PlaceFlags {
     /// The volumes asked for.
-    pub(super) fn bounds(&self) -> Bounds {
-        self.bounds.bounds()
+    ///
+    /// # Errors
+    ///
+    /// As [`BoundsChoice::bounds`].
+    pub(super) fn bounds(&self) -> Result<Bounds> {
+        self.bounds.bounds(self.levels)
     }
 
     /// Opens the GPU adapter asked for.

@@ -11,7 +11,7 @@ use super::progress::Progress;
 use super::report::{self, table};
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, Frame, Layer};
-use rayproof::render::{Rendering, Stats, render};
+use rayproof::render::{Rendering, Stats, count, render};
 use rayproof::scene::Transfer;
 
 /// The kinds of picture that can be written.
@@ -54,12 +54,18 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     }
     let scene = arguments.tracing.place.load(&arguments.scene)?;
     Frame::check_memory(scene.image.width, scene.image.height, format.packing())?;
+    let settings = arguments.tracing.settings()?;
     let backend = arguments.tracing.open_backend()?;
     tracing::info!("rendering on {}", backend.describe());
 
     let progress = Progress::new(common, format!("{}", arguments.scene.display()));
-    let rendering = render(&scene, &backend, arguments.tracing.settings(), &progress)?;
+    let mut rendering = render(&scene, &backend, settings, &progress)?;
     drop(progress);
+    if arguments.count {
+        let progress = Progress::new(common, "counting");
+        let counters = count(&scene, &backend, settings, &progress)?;
+        rendering.stats.counters = Some(counters);
+    }
     let broken = rendering.frame.non_finite_pixels();
     if broken > 0 {
         tracing::warn!("{broken} pixels have a colour that is infinite or not a number");
@@ -129,7 +135,7 @@ fn write(
 
 fn summary(rendering: &Rendering, arguments: &RenderArguments, backend: &str) -> String {
     let stats = &rendering.stats;
-    table(&[
+    let mut rows = vec![
         ("scene", arguments.scene.display().to_string()),
         (
             "picture",
@@ -150,5 +156,14 @@ fn summary(rendering: &Rendering, arguments: &RenderArguments, backend: &str) ->
                 stats.trace_ms, stats.mrays_per_s
             ),
         ),
-    ])
+    ];
+    if let Some(counters) = stats.counters {
+        let tested = format!(
+            "{} met of {} tested",
+            counters.bound_hits, counters.bound_tests
+        );
+        rows.push(("volumes", tested));
+        rows.push(("shapes", format!("{} tested", counters.shape_tests)));
+    }
+    table(&rows)
 }

@@ -14,7 +14,7 @@ pub use output::{check_writable, while_nothing_is_written, write_atomically};
 pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
 
-use crate::kernel::tree::GIVEN_UP;
+use crate::kernel::hit::GIVEN_UP;
 pub use crate::layout::NO_HIT;
 use crate::layout::Pixel;
 use crate::{Error, Result};

@@ -210,6 +210,7 @@ fn the_correction_fits_beside_every_other_file() {
     let device = Device {
         divide: DIVIDE_CORRECTED,
         fetch: Fetch::Storage,
+        count: false,
     };
     Program::build(&select_files(|_| true, device)).unwrap();
     // The control: the names of one file twice.

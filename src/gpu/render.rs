@@ -15,6 +15,7 @@ use super::program::Program;
 use super::scene::PackedScene;
 use super::stage::Stage;
 use super::tile::Tile;
+use crate::count::Counters;
 use crate::effects::{Device, Fetch, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -36,6 +37,8 @@ pub struct Portions {
     pub primitives_per_dispatch: u32,
     /// Where the scene lies; none for what the device reads best.
     pub fetch: Option<Fetch>,
+    /// Whether volumes and shapes are counted, see [`Prepared::counters`].
+    pub count: bool,
 }
 
 impl Default for Portions {
@@ -43,6 +46,7 @@ impl Default for Portions {
         Self {
             primitives_per_dispatch: PRIMITIVES_PER_DISPATCH,
             fetch: None,
+            count: false,
         }
     }
 }
@@ -71,6 +75,7 @@ pub struct Prepared<'a> {
     kernel: Kernel,
     stage: Stage,
     pace: Pace,
+    counters: Option<Counters>,
 }
 
 impl<'a> Prepared<'a> {
@@ -86,11 +91,12 @@ impl<'a> Prepared<'a> {
         let device = Device {
             divide: gpu.arithmetic.divide_file(),
             fetch,
+            count: portions.count,
         };
         let program = Program::build(&shader_files(&flat.counts(), device))?;
         let kernel = gpu.compile(&program)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
-        let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables)?;
+        let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables, portions.count)?;
         let pace = Pace::new(
             flat.size,
             tests_per_ray(flat),
@@ -104,6 +110,7 @@ impl<'a> Prepared<'a> {
             kernel,
             stage,
             pace,
+            counters: portions.count.then(Counters::default),
         })
     }
 
@@ -112,8 +119,17 @@ impl<'a> Prepared<'a> {
         self.fetch
     }
 
+    /// What the rays of the last run tested, where that is counted.
+    pub fn counters(&self) -> Option<Counters> {
+        self.counters
+    }
+
     fn has_tree(&self) -> bool {
         !self.flat.pairs.is_empty()
+    }
+
+    fn has_volumes(&self) -> bool {
+        self.has_tree() || !self.flat.volumes.is_empty()
     }
 
     /// Traces all pixels. Their rows are handed to `keep_rows`, from top to
@@ -130,6 +146,7 @@ impl<'a> Prepared<'a> {
         keep_rows: &mut dyn FnMut(u32, &[Pixel]),
     ) -> Result<()> {
         self.pace.start_anew();
+        let mut counters = self.counters.map(|_| Counters::default());
         let height = self.flat.size[1];
         let mut first_row = 0;
         while first_row < height {
@@ -146,55 +163,70 @@ impl<'a> Prepared<'a> {
             let mut checked = Ok(());
             let pixels = self.flat.size[0] * rows;
             self.stage.look_at_pixels(self.gpu, pixels, &mut |pixels| {
-                if !self.has_tree() {
+                if !self.has_volumes() {
                     checked = check_tests(pixels, self.flat.primitives());
                 }
                 if checked.is_ok() {
                     keep_rows(first_row, pixels);
                 }
+                if let Some(counters) = &mut counters {
+                    let tests = pixels.iter().map(|pixel| u64::from(pixel.tests));
+                    counters.shape_tests += tests.sum::<u64>();
+                }
             })?;
             checked?;
+            if let Some(counters) = &mut counters {
+                for [tested, met] in self.stage.read_counts(self.gpu, pixels)? {
+                    counters.bound_tests += u64::from(tested);
+                    counters.bound_hits += u64::from(met);
+                }
+            }
             first_row += rows;
         }
+        self.counters = counters;
         Ok(())
     }
 
     /// Finds the tile's closest hits: through the tree in one dispatch, else by one
-    /// for each run of primitives. An empty scene gets one dispatch too, which notes
-    /// that nothing is hit.
+    /// for each run of primitives, or of entries and primitives of the list of
+    /// volumes. An empty scene gets one dispatch too, which notes that nothing is hit.
     fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<()> {
-        let primitives = self.flat.primitives();
+        let total = tests_per_ray(self.flat);
         let pixels = self.flat.size[0] * tile.rows;
-        let mut begin = 0_u32;
+        let mut begin = 0;
         loop {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
-            let (end, tested) = if self.has_tree() {
-                (primitives, tests_per_ray(self.flat))
+            let end = if self.has_tree() {
+                total
             } else {
-                let chunk = self.pace.chunk(pixels);
-                let end = primitives.min(begin.saturating_add(chunk));
-                (end, end - begin)
+                total.min(begin + self.pace.chunk(pixels))
             };
-            let orders = tile.orders(self.flat, begin..end);
+            let orders = if self.has_tree() {
+                tile.orders(self.flat, 0..self.flat.primitives())
+            } else if self.has_volumes() {
+                tile.list_orders(self.flat, begin..end, total)
+            } else {
+                tile.orders(self.flat, begin..end)
+            };
             let started = Instant::now();
             self.stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", &orders)?;
-            self.pace.learn(pixels, tested, started.elapsed());
+            self.pace.learn(pixels, end - begin, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;
-            if begin >= primitives {
+            if begin >= total {
                 return Ok(());
             }
         }
     }
 }
 
-/// Shape tests of one ray, as far as the pace is concerned.
+/// Tests of one ray at most; through a tree, as far as the pace is concerned.
 fn tests_per_ray(flat: &Flat<f32>) -> u32 {
     if flat.pairs.is_empty() {
-        flat.primitives()
+        flat.primitives() + flat.volumes.len() as u32
     } else {
         TREE_TESTS.min(flat.primitives())
     }

@@ -22,6 +22,8 @@ pub(super) struct Stage {
     scene: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
     pixels: wgpu::Buffer,
+    /// Volumes tested and met, a pixel; empty where they are not counted.
+    counts: wgpu::Buffer,
     /// Where pixels are copied to be read; none where they can be read in place.
     staging: Option<wgpu::Buffer>,
 }
@@ -38,12 +40,14 @@ impl Stage {
         kernel: &Kernel,
         scene: &SceneMemory,
         tables: &Tables,
+        count: bool,
     ) -> Result<Self> {
         let pixel_limit = gpu.limits.max_storage_buffer_binding_size / size_of::<Pixel>() as u64;
         let max_pixels = u64::from(PIXELS_PER_TILE).min(pixel_limit) as u32;
         let max_rows = (max_pixels / flat.size[0]).clamp(1, flat.size[1]);
         let tile = u64::from(max_rows) * u64::from(flat.size[0]);
         let pixel_bytes = tile * size_of::<Pixel>() as u64;
+        let cursors = if flat.volumes.is_empty() { 0 } else { tile };
 
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
         let working = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
@@ -56,6 +60,9 @@ impl Stage {
             working
         };
         let pixels = gpu.create_buffer("pixels", pixel_bytes, readable)?;
+        let counted = if count { tile } else { 0 };
+        let count_bytes = counted * size_of::<[u32; 2]>() as u64;
+        let counts = gpu.create_buffer("counts", count_bytes, working)?;
         let staging = (!in_place).then(|| gpu.create_buffer("staging", pixel_bytes, staged));
         let frame = HashMap::from([
             ("dispatch", dispatch.clone()),
@@ -75,6 +82,11 @@ impl Stage {
                 "hits",
                 gpu.create_buffer("hits", tile * size_of::<HitRecord>() as u64, working)?,
             ),
+            (
+                "cursors",
+                gpu.create_buffer("cursors", cursors * size_of::<[u32; 2]>() as u64, working)?,
+            ),
+            ("counts", counts.clone()),
             ("pixels", pixels.clone()),
         ]);
         let frame = kernel.bind(gpu, 0, |name| {
@@ -87,6 +99,7 @@ impl Stage {
             scene,
             dispatch,
             pixels,
+            counts,
             staging: staging.transpose()?,
         })
     }
@@ -133,5 +146,18 @@ impl Stage {
         gpu.look_at(readable, bytes, &mut |bytes| {
             look(bytemuck::cast_slice(bytes))
         })
+    }
+
+    /// Volumes tested and met by the first `count` pixels of the tile.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::wait`].
+    pub(super) fn read_counts(&self, gpu: &Gpu, count: u32) -> Result<Vec<[u32; 2]>> {
+        let bytes = u64::from(count) * size_of::<[u32; 2]>() as u64;
+        let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
+        let staging = gpu.create_buffer("counts read", bytes, usage)?;
+        let data = gpu.read_back(&self.counts, &staging, bytes)?;
+        Ok(bytemuck::pod_collect_to_vec(&data))
     }
 }

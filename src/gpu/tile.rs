@@ -18,6 +18,23 @@ pub(super) struct Tile {
 }
 
 impl Tile {
+    /// The orders for a dispatch over the tile that takes each ray so many steps on
+    /// through the list of volumes, of `total`.
+    pub(super) fn list_orders(self, flat: &Flat<f32>, steps: Range<u32>, total: u32) -> Dispatch {
+        // The planes, which are in no volume, come first.
+        let planes = if steps.start == 0 {
+            flat.first_plane()..flat.first_disk()
+        } else {
+            0..0
+        };
+        Dispatch {
+            fresh: u32::from(steps.start == 0),
+            steps: steps.end - steps.start,
+            last: u32::from(steps.end == total),
+            ..self.orders(flat, planes)
+        }
+    }
+
     /// The orders for a dispatch over the tile that concerns `rows`: the rows of all
     /// the kinds' tables, counted through spheres, planes, disks and triangles.
     pub(super) fn orders(self, flat: &Flat<f32>, rows: Range<u32>) -> Dispatch {
@@ -40,6 +57,9 @@ impl Tile {
             workgroups,
             workgroups_across,
             stride: if self.spread { stride(workgroups) } else { 1 },
+            steps: rows.end - rows.start,
+            last: 1,
+            padding: [0; 2],
         }
     }
 }
@@ -116,6 +136,7 @@ mod tests {
         let device = Device {
             divide: DIVIDE_NATIVE,
             fetch: Fetch::Storage,
+            count: false,
         };
         let program = Program::build(&select_files(|_| true, device)).unwrap();
         for entry in &program.module.entry_points {

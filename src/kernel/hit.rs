@@ -4,6 +4,9 @@ use super::real::Real;
 use super::vector::Vec3;
 use crate::layout::NO_HIT;
 
+/// In place of a hit's tests: the ray was given up.
+pub const GIVEN_UP: u32 = u32::MAX;
+
 /// The closest hit so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit<R> {
@@ -15,6 +18,10 @@ pub struct Hit<R> {
     pub row: u32,
     /// Shapes tested so far.
     pub tests: u32,
+    /// Volumes tested so far.
+    pub bound_tests: u32,
+    /// Those of them that the ray met.
+    pub bound_hits: u32,
 }
 
 /// What shading needs to know of a hit.
@@ -33,6 +40,8 @@ pub fn no_hit<R: Real>() -> Hit<R> {
         id: NO_HIT,
         row: 0,
         tests: 0,
+        bound_tests: 0,
+        bound_hits: 0,
     }
 }
 

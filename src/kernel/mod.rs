@@ -11,7 +11,9 @@
 
 pub mod aabb;
 pub mod background;
+pub mod ball;
 pub mod camera;
+pub mod count;
 pub mod directional_lights;
 pub mod disk;
 pub mod disks;
@@ -31,3 +33,4 @@ pub mod tree;
 pub mod triangle;
 pub mod triangles;
 pub mod vector;
+pub mod volumes;

@@ -2,28 +2,42 @@
 
 use super::background::background_color;
 use super::camera::{Ray, camera_ray};
-use super::disks::{closest_disk, disk_surface};
+use super::disks::{closest_disk, disk_surface, test_disk};
 use super::hit::{Hit, no_hit};
 use super::lambert::scattered_light;
 use super::planes::{closest_plane, plane_surface};
 use super::probe::{Probe, probe_of};
 use super::real::Real;
-use super::spheres::{closest_sphere, sphere_surface};
+use super::spheres::{closest_sphere, sphere_surface, test_sphere};
 use super::tree::closest_hit;
-use super::triangles::{closest_triangle, triangle_surface};
+use super::triangles::{closest_triangle, test_triangle, triangle_surface};
 use super::vector::{Vec3, vector_length};
+use super::volumes::closest_in_volumes;
 use crate::flat::Flat;
 use crate::layout::{NO_HIT, Pixel};
 
-/// The nearest of all primitives, by way of the tree where there is one.
-fn find_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    if flat.pairs.is_empty() {
+/// The nearest of all primitives, by way of the volumes where there are any.
+pub fn find_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
+    if !flat.pairs.is_empty() {
+        closest_hit(flat, probe, hit);
+    } else if !flat.volumes.is_empty() {
+        closest_in_volumes(flat, probe, hit);
+    } else {
         closest_sphere(flat, probe, hit);
         closest_plane(flat, probe, hit);
         closest_disk(flat, probe, hit);
         closest_triangle(flat, probe, hit);
+    }
+}
+
+/// Tests the primitive in a row of the table of its kind, a [`crate::flat::Kind`].
+pub fn test_row<R: Real>(flat: &Flat<R>, probe: Probe<R>, kind: u32, row: u32, hit: &mut Hit<R>) {
+    if kind == 0 {
+        test_sphere(flat, probe, row, hit);
+    } else if kind == 1 {
+        test_disk(flat, probe, row, hit);
     } else {
-        closest_hit(flat, probe, hit);
+        test_triangle(flat, probe, row, hit);
     }
 }
 

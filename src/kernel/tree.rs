@@ -1,13 +1,12 @@
 //! The bounding volume hierarchy: only what the ray comes near is tested.
 
 use super::aabb::{Interval, clip_to_box};
-use super::disks::test_disk;
-use super::hit::Hit;
+use super::count::count_bound;
+use super::hit::{GIVEN_UP, Hit};
 use super::planes::closest_plane;
 use super::probe::Probe;
 use super::real::Real;
-use super::spheres::test_sphere;
-use super::triangles::test_triangle;
+use super::trace::test_row;
 use super::vector::{Vec3, vec3};
 use crate::flat::Flat;
 use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NOWHERE, Pair};
@@ -18,9 +17,6 @@ pub const STACK: usize = 64;
 /// Pairs that a ray visits at most. A tree of any use is left long before; past
 /// it the ray is given up, and said to be. Below lavapipe's 65,535 iterations.
 pub const MOST_VISITS: u32 = 30_000;
-
-/// In place of a hit's tests: the ray was given up.
-pub const GIVEN_UP: u32 = u32::MAX;
 
 /// The two children of a pair: their boxes, and what they are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,13 +66,7 @@ fn test_leaf<R: Real>(flat: &Flat<R>, probe: Probe<R>, leaf: u32, hit: &mut Hit<
     let mut row = leaf & ((1 << LEAF_COUNT) - 1);
     let end = row + ((leaf >> LEAF_COUNT) & 7) + 1;
     while row < end {
-        if kind == 0 {
-            test_sphere(flat, probe, row, hit);
-        } else if kind == 1 {
-            test_disk(flat, probe, row, hit);
-        } else {
-            test_triangle(flat, probe, row, hit);
-        }
+        test_row(flat, probe, kind, row, hit);
         row += 1;
     }
     row == end
@@ -117,6 +107,8 @@ pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
             let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
             let to_left = may_be_nearer(left, *hit);
             let to_right = may_be_nearer(right, *hit);
+            count_bound(hit, to_left);
+            count_bound(hit, to_right);
             let left_first = to_left && (!to_right || left.enter <= right.enter);
             at = if left_first {
                 children.left

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Background, Camera, Geometry, Light, Mesh, Scene, Shape};
+use super::{Background, Camera, Geometry, Group, GroupBound, Light, Mesh, Scene, Shape};
 use crate::{Error, Result};
 pub(super) use rule::*;
 pub use rule::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MIN_SIZE};
@@ -44,6 +44,9 @@ impl Scene {
             shape(s, self.materials.len(), &mut extents)
                 .map_err(|flaw| flaw.into_usage(&format!("shape {i} ({name})")))?;
         }
+        for (i, g) in self.groups.iter().enumerate() {
+            group(g, i, &self.shapes).map_err(|flaw| flaw.into_usage(&format!("group {i}")))?;
+        }
         Ok(())
     }
 }
@@ -64,6 +67,37 @@ impl Geometry {
 impl Flaw {
     fn into_usage(self, where_: &str) -> Error {
         Error::Usage(format!("{where_}: {}; {}", self.message, self.help))
+    }
+}
+
+fn group(group: &Group, index: usize, shapes: &[Shape]) -> Verdict {
+    if let Some(parent) = group.parent.filter(|parent| *parent >= index) {
+        return Err(Flaw::index("parent", parent, index));
+    }
+    let Some(own) = shapes.get(group.shapes.clone()) else {
+        return Err(Flaw::index("shapes", group.shapes.end, shapes.len()));
+    };
+    if own
+        .iter()
+        .any(|shape| matches!(shape.geometry, Geometry::Plane { .. }))
+    {
+        return Err(Flaw {
+            message: "a plane has no bounding volume".into(),
+            label: "a plane",
+            help: "leave planes out of groups".into(),
+        });
+    }
+    match group.bound {
+        GroupBound::Auto => Ok(()),
+        GroupBound::Ball { center, radius } => {
+            point("center", center)?;
+            size("radius", radius)
+        }
+        GroupBound::Box { low, high } => {
+            point("low", low)?;
+            point("high", high)?;
+            corners(low, high)
+        }
     }
 }
 

@@ -9,6 +9,7 @@ pub mod obj;
 pub mod parse;
 pub mod policy;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
@@ -35,6 +36,10 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// The shapes. Spheres, planes, disks and triangles may be mixed freely.
     pub shapes: Vec<Shape>,
+    /// Groups of shapes, each with a bounding volume, see
+    /// [`Bounds::Scene`](crate::bounds::Bounds::Scene). A group stands behind the one
+    /// that holds it.
+    pub groups: Vec<Group>,
 }
 
 impl Default for Scene {
@@ -59,6 +64,7 @@ impl Default for Scene {
             lights: Vec::new(),
             materials: Vec::new(),
             shapes: Vec::new(),
+            groups: Vec::new(),
         }
     }
 }
@@ -194,6 +200,40 @@ pub struct Shape {
     /// Index into [`Scene::materials`]. A mesh with materials of its own keeps
     /// those, see [`Mesh::triangle_materials`].
     pub material: usize,
+}
+
+/// Shapes, and further groups, in a bounding volume.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// The name by which messages call it.
+    pub name: Option<String>,
+    /// The volume; what sticks out of one given by hand is cut off.
+    pub bound: GroupBound,
+    /// The group that holds this one, as an index into [`Scene::groups`].
+    pub parent: Option<usize>,
+    /// Its own shapes, as indices into [`Scene::shapes`]; no planes.
+    pub shapes: Range<usize>,
+}
+
+/// The bounding volume of a group, in world coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GroupBound {
+    /// The tight sphere around all that the group holds.
+    Auto,
+    /// A sphere.
+    Ball {
+        /// The middle.
+        center: DVec3,
+        /// Greater than 0.
+        radius: f64,
+    },
+    /// An axis-aligned box.
+    Box {
+        /// The smallest coordinates.
+        low: DVec3,
+        /// The largest coordinates.
+        high: DVec3,
+    },
 }
 
 /// The form of a shape, in its own coordinates.

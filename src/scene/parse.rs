@@ -5,6 +5,7 @@ mod asset;
 mod expand;
 mod faults;
 mod file;
+mod group;
 mod material;
 mod near;
 mod placement;
@@ -121,10 +122,10 @@ fn read(
     for section in root.tables("material", "[[material]]", faults) {
         palette.read(section, faults);
     }
-    let drafts = shape::shapes(&mut root, &palette, faults);
+    let contents = group::Contents::read(&mut root, &palette, faults);
     root.close(faults);
 
-    let expanded = expand::expand(drafts, palette, folder, policy, faults)?;
+    let expanded = expand::expand(contents, palette, folder, policy, faults)?;
     Some(Loaded {
         scene: Scene {
             image,
@@ -134,6 +135,7 @@ fn read(
             lights,
             materials: expanded.materials,
             shapes: expanded.shapes,
+            groups: expanded.groups,
         },
         warnings: expanded.warnings,
     })

@@ -4,9 +4,14 @@
 
 pub mod random;
 
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
 use rayproof::bounds::Bounds;
 use rayproof::gpu::device::Gpu;
 use rayproof::render::Settings;
+use rayproof::scene::mesh::{Builtin, build};
+use rayproof::scene::{Geometry, Material, Shape, Transform};
 use rayproof::{Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
 
 /// The best adapter; without one the test fails, for a check that was not made
@@ -41,6 +46,27 @@ pub fn on_cpu(scene: &Scene) -> Frame {
 /// A scene of `assets/scenes`.
 pub fn scene(name: &str) -> Scene {
     Scene::load(format!("assets/scenes/{name}.toml")).unwrap()
+}
+
+/// A built-in mesh in front of the camera.
+pub fn mesh_scene(kind: Builtin, detail: u32, size: u32) -> Scene {
+    Scene {
+        ambient: [1.0; 3],
+        materials: vec![Material {
+            name: "white".into(),
+            albedo: [0.8; 3],
+        }],
+        shapes: vec![Shape {
+            geometry: Geometry::Mesh(Arc::new(build(kind, detail))),
+            transform: Transform {
+                linear: DMat3::IDENTITY,
+                translate: DVec3::new(0.0, 0.0, -3.0),
+            },
+            material: 0,
+        }],
+        ..Scene::default()
+    }
+    .with_size(size, size)
 }
 
 /// Compares bit for bit.

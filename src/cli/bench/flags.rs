@@ -5,7 +5,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::flags::{BoundsChoice, PolicyFlags, parse_size, parse_threads};
+use crate::cli::flags::{
+    BoundsChoice, ONE_LEVEL, PolicyFlags, parse_levels, parse_size, parse_threads,
+};
 use rayproof::bounds::Bounds;
 use rayproof::error::{Error, Result};
 use rayproof::gpu::device::Gpu;
@@ -39,6 +41,9 @@ pub(in crate::cli) struct BenchArguments {
     /// Bounding volumes, side by side; all of them if not given
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     bounds: Vec<BoundsChoice>,
+    /// Levels of spheres or boxes
+    #[arg(long, value_name = "N", default_value_t = ONE_LEVEL, value_parser = parse_levels)]
+    levels: u32,
     /// Numbers of threads of the CPU path, side by side; one for each core if not given
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_threads)]
     threads: Vec<NonZeroUsize>,
@@ -72,14 +77,25 @@ impl BenchArguments {
     }
 
     /// The volumes to measure.
-    pub(super) fn bounds(&self) -> Vec<Bounds> {
+    ///
+    /// # Errors
+    ///
+    /// None, for levels go only to what has them.
+    pub(super) fn bounds(&self) -> Result<Vec<Bounds>> {
         let all = BoundsChoice::value_variants();
         let chosen = if self.bounds.is_empty() {
             all
         } else {
             &self.bounds
         };
-        chosen.iter().map(|choice| choice.bounds()).collect()
+        let levels = |choice: &BoundsChoice| {
+            let leveled = matches!(choice, BoundsChoice::Spheres | BoundsChoice::Boxes);
+            leveled.then_some(self.levels)
+        };
+        chosen
+            .iter()
+            .map(|choice| choice.bounds(levels(choice)))
+            .collect()
     }
 
     /// Opens the GPU adapter, where one is to be measured.

@@ -105,6 +105,18 @@ fn not_tiny(what: &str, x: f64) -> Verdict {
     })
 }
 
+/// The two corners of a box: every coordinate of the one below that of the other.
+pub fn corners(low: DVec3, high: DVec3) -> Verdict {
+    require(low.cmplt(high).all(), || {
+        let message = format!("`low` {low} must lie below `high` {high} in every coordinate");
+        flaw(
+            message,
+            "an empty box",
+            "exchange them, or give the box some depth",
+        )
+    })
+}
+
 /// A number that is 0 or more.
 pub fn not_negative(what: &str, x: f64) -> Verdict {
     number(what, x)?;

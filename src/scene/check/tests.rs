@@ -29,6 +29,7 @@ fn valid() -> Scene {
             albedo: [0.5; 3],
         }],
         shapes: vec![placed(sphere(1.0)), placed(mesh())],
+        groups: Vec::new(),
     }
 }
 

@@ -4,14 +4,16 @@ use std::path::Path;
 
 use super::asset::{Library, Source};
 use super::faults::Faults;
+use super::group::Contents;
 use super::material::Palette;
 use super::shape::{Draft, Form};
 use crate::scene::policy::Policy;
-use crate::scene::{Geometry, Material, Shape, Transform};
+use crate::scene::{Geometry, Group, Material, Shape, Transform};
 
 /// All shapes of a scene with their materials.
 pub(super) struct Expanded {
     pub(super) shapes: Vec<Shape>,
+    pub(super) groups: Vec<Group>,
     pub(super) materials: Vec<Material>,
     pub(super) warnings: Vec<String>,
 }
@@ -19,7 +21,7 @@ pub(super) struct Expanded {
 /// Expands the drafts; `None` where a fault was recorded, now or before. Files
 /// are loaded even then, so that their faults are told in the same run.
 pub(super) fn expand(
-    drafts: Vec<Draft>,
+    contents: Contents,
     mut palette: Palette,
     folder: &Path,
     policy: &Policy,
@@ -28,7 +30,8 @@ pub(super) fn expand(
     let mut library = Library::new(folder, policy);
     let mut budget = Budget::new(policy);
     let mut shapes = Vec::new();
-    for draft in drafts {
+    let mut groups = contents.groups;
+    for draft in contents.drafts {
         if !budget.take_shapes(&draft, faults) {
             return None;
         }
@@ -78,14 +81,26 @@ pub(super) fn expand(
         if !faults.is_empty() {
             continue;
         }
+        let first = shapes.len();
         shapes.extend(draft.placement.translations().map(|translate| Shape {
             geometry: geometry.clone(),
             transform: Transform { linear, translate },
             material: palette.index(material),
         }));
+        // A group's own shapes stand side by side.
+        if let Some(group) = draft.group {
+            let own = &mut groups[group].shapes;
+            let start = if own.start == own.end {
+                first
+            } else {
+                own.start
+            };
+            *own = start..shapes.len();
+        }
     }
     Some(Expanded {
         shapes,
+        groups,
         materials: palette.materials,
         warnings: library.warnings,
     })

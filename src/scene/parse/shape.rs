@@ -24,6 +24,8 @@ pub(super) struct Draft {
     pub(super) placement: Placement,
     /// The header of its table.
     pub(super) span: Range<usize>,
+    /// The group that holds it, by its index.
+    pub(super) group: Option<usize>,
 }
 
 /// What a draft will become.
@@ -36,9 +38,10 @@ pub(super) enum Form {
     },
 }
 
-/// Every shape of the file: all spheres, then planes, disks, triangles, meshes.
+/// Every shape of a table: all spheres, then planes, disks, triangles, meshes.
 pub(super) fn shapes(
     root: &mut Section<'_, '_>,
+    group: Option<usize>,
     palette: &Palette,
     faults: &mut Faults<'_>,
 ) -> Vec<Draft> {
@@ -53,6 +56,11 @@ pub(super) fn shapes(
     let mut drafts = Vec::new();
     for (key, title, read) in kinds {
         for mut section in root.tables(key, title, faults) {
+            if key == "plane" && group.is_some() {
+                let help = "write it as [[plane]] beside the groups";
+                section.reject(faults, "a plane has no bounding volume".into(), help);
+                continue;
+            }
             let (placement, form) = read(&mut section, faults);
             let material = section.optional("material", faults, text);
             if let Some(name) = &material {
@@ -65,6 +73,7 @@ pub(super) fn shapes(
                 material: material.map(|found| found.value),
                 placement,
                 span,
+                group,
             });
             drafts.extend(draft.filter(|draft| draft.is_sound(faults)));
         }

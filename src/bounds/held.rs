@@ -1,0 +1,176 @@
+//! What volumes must hold: every ray that a shape's rounded test accepts.
+
+use glam::DVec3;
+
+use super::ball::{Ball, bounding_ball};
+use super::primitive_boxes;
+use crate::flat::Flat;
+use crate::kernel::aabb::Aabb;
+use crate::kernel::real::Real;
+use crate::kernel::triangles::triangle_of;
+use crate::layout::{BoxRecord, Sphere};
+
+/// A ball's padding in parts of its reach, the distance of its farthest point from the
+/// camera: the error with which a shape's test accepts a ray, at most 16 roundings of
+/// 2^-24, that of the ball's own test, as many, and as much again for the ball's
+/// rounded centre and radius. `docs/numerics.md` derives it.
+const PADDING: f64 = 64.0 / 16_777_216.0;
+
+/// What volumes must hold of each primitive.
+pub(super) struct Held {
+    /// By id; a plane's are empty.
+    balls: Vec<Vec<Ball>>,
+    boxes: Vec<Option<Aabb>>,
+}
+
+impl Held {
+    /// Of all primitives.
+    pub(super) fn of<R: Real>(flat: &Flat<R>) -> Self {
+        let count = flat.primitives() as usize;
+        let mut held = Self {
+            balls: vec![Vec::new(); count],
+            boxes: vec![None; count],
+        };
+        let point = |v: [R; 3]| DVec3::from(v.map(|x| f64::from(x.to_f32())));
+        for (sphere, &id) in flat.spheres.iter().zip(&flat.sphere_ids) {
+            let ball = (point(sphere.center), sphere.radius.to_f32().into());
+            held.balls[id as usize].push(ball);
+        }
+        for (disk, &id) in flat.disks.iter().zip(&flat.disk_ids) {
+            let ball = (point(disk.center), disk.radius.to_f32().into());
+            held.balls[id as usize].push(ball);
+        }
+        for &corners in &flat.triangles {
+            let triangle = triangle_of(flat, corners);
+            let points = [triangle.a, triangle.b, triangle.c];
+            held.balls[corners.id as usize].extend(points.map(|v| (point(v), 0.0)));
+        }
+        for (aabb, id) in primitive_boxes(flat) {
+            held.boxes[id as usize] = Some(aabb);
+        }
+        held
+    }
+
+    /// The box of primitives: the union of their own boxes.
+    pub(super) fn box_of(&self, ids: &[u32]) -> BoxRecord {
+        let mut low = [f32::MAX; 3];
+        let mut high = [f32::MIN; 3];
+        for aabb in ids.iter().filter_map(|&id| self.boxes[id as usize]) {
+            let (least, most): ([f32; 3], [f32; 3]) = (aabb.low.into(), aabb.high.into());
+            for axis in 0..3 {
+                low[axis] = low[axis].min(least[axis]);
+                high[axis] = high[axis].max(most[axis]);
+            }
+        }
+        BoxRecord {
+            low,
+            padding_0: 0.0,
+            high,
+            padding_1: 0.0,
+        }
+    }
+
+    /// The tight ball of primitives, padded.
+    pub(super) fn ball_of<R: Real>(&self, ids: &[u32]) -> Sphere<R> {
+        let items: Vec<Ball> = ids
+            .iter()
+            .flat_map(|&id| self.balls[id as usize].clone())
+            .collect();
+        let (center, _) = bounding_ball(&items).unwrap_or_default();
+        let center = center.to_array().map(R::from_f64);
+        Sphere {
+            center,
+            radius: R::from_f64(padded(self.radius_around(center, ids), center)),
+        }
+    }
+
+    /// A ball that the scene gives: as it is where it holds its primitives with what
+    /// rounding needs, a little larger where it just holds them, and as it is where it
+    /// does not: then it cuts the picture, as it says.
+    pub(super) fn settle_ball<R: Real>(&self, given: Sphere<R>, ids: &[u32]) -> Sphere<R> {
+        let radius = self.radius_around(given.center, ids);
+        let needed = padded(radius, given.center);
+        let own = f64::from(given.radius.to_f32());
+        let slack = needed - radius;
+        if own >= needed || own + slack < radius {
+            return given;
+        }
+        Sphere {
+            radius: R::from_f64(needed),
+            ..given
+        }
+    }
+
+    /// As [`Self::settle_ball`], for a box: it must hold the own boxes, which are padded.
+    pub(super) fn settle_box(&self, given: BoxRecord, needed: BoxRecord) -> BoxRecord {
+        let mut settled = given;
+        for axis in 0..3 {
+            let reach = needed.low[axis].abs().max(needed.high[axis].abs());
+            // An own box is padded by a part of the sum over three axes.
+            let slack = 4.0 * f64::from(reach) * PADDING;
+            let just = |outside: f64| outside > 0.0 && outside <= slack;
+            if just(f64::from(given.low[axis]) - f64::from(needed.low[axis])) {
+                settled.low[axis] = needed.low[axis];
+            }
+            if just(f64::from(needed.high[axis]) - f64::from(given.high[axis])) {
+                settled.high[axis] = needed.high[axis];
+            }
+        }
+        settled
+    }
+
+    /// How far primitives reach from a centre, without padding.
+    pub(super) fn radius_around<R: Real>(&self, center: [R; 3], ids: &[u32]) -> f64 {
+        let center = DVec3::from(center.map(|x| f64::from(x.to_f32())));
+        let items = ids.iter().flat_map(|&id| &self.balls[id as usize]);
+        items.fold(0.0, |most, (at, radius)| {
+            most.max(center.distance(*at) + radius)
+        })
+    }
+
+    /// How far primitives stick out of a box, without padding; negative where they
+    /// do not.
+    pub(super) fn outside_box(&self, bounds: &BoxRecord, ids: &[u32]) -> f64 {
+        let low = DVec3::from(bounds.low.map(f64::from));
+        let high = DVec3::from(bounds.high.map(f64::from));
+        let items = ids.iter().flat_map(|&id| &self.balls[id as usize]);
+        items.fold(f64::MIN, |most, (at, radius)| {
+            let below = (low - *at).max_element() + radius;
+            let above = (*at - high).max_element() + radius;
+            most.max(below).max(above)
+        })
+    }
+
+    /// What rounding may take of primitives.
+    pub(super) fn slack(&self, ids: &[u32]) -> f64 {
+        self.radius_around([0.0; 3], ids) * PADDING
+    }
+
+    /// Cuts primitives in halves, along the axis along which they spread most.
+    pub(super) fn halves<'i>(&self, ids: &'i mut [u32]) -> (&'i mut [u32], &'i mut [u32]) {
+        let all = self.box_of(ids);
+        let extent = |axis: usize| all.high[axis] - all.low[axis];
+        let axis = (0..3).fold(0, |best, axis| {
+            if extent(axis) > extent(best) {
+                axis
+            } else {
+                best
+            }
+        });
+        let twice_center = |id: &u32| {
+            self.boxes[*id as usize].map_or(0.0, |aabb| {
+                let center: [f32; 3] = (aabb.low + aabb.high).into();
+                center[axis]
+            })
+        };
+        // Ids settle ties, so that the cut does not depend on the order.
+        ids.sort_unstable_by(|a, b| twice_center(a).total_cmp(&twice_center(b)).then(a.cmp(b)));
+        ids.split_at_mut(ids.len() / 2)
+    }
+}
+
+/// A radius with what rounding needs.
+fn padded<R: Real>(radius: f64, center: [R; 3]) -> f64 {
+    let distance = DVec3::from(center.map(|x| f64::from(x.to_f32()))).length();
+    radius + (distance + radius) * PADDING
+}
