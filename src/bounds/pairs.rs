@@ -22,6 +22,9 @@ const FARTHEST: f64 = 8_388_607.0;
 /// The bias of an f32's exponent.
 const BIAS: i32 = 127;
 
+/// Fewer pairs than this are not worth threads.
+const PARALLEL: usize = 4096;
+
 /// Packs a tree. `place` tells the kind and the first row of the leaf whose ids
 /// begin at an index.
 pub fn pack_pairs(tree: &Tree, place: impl Fn(u32) -> (Kind, u32) + Sync) -> Vec<Pair> {
@@ -42,17 +45,15 @@ pub fn pack_pairs(tree: &Tree, place: impl Fn(u32) -> (Kind, u32) + Sync) -> Vec
         let (kind, row) = place(node.first);
         LEAF | (kind as u32) << LEAF_KIND | (node.count - 1) << LEAF_COUNT | row
     };
-    inner
-        .par_iter()
-        .map(|&left| {
-            pair(
-                &tree.nodes[left],
-                &tree.nodes[left + 1],
-                child(left),
-                child(left + 1),
-            )
-        })
-        .collect()
+    let packed = |&left: &usize| {
+        let [low, high] = [left, left + 1];
+        pair(&tree.nodes[low], &tree.nodes[high], child(low), child(high))
+    };
+    // Few are packed before threads have started.
+    if inner.len() < PARALLEL {
+        return inner.iter().map(packed).collect();
+    }
+    inner.par_iter().map(packed).collect()
 }
 
 fn pair(left: &Node, right: &Node, left_child: u32, right_child: u32) -> Pair {

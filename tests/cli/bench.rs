@@ -48,6 +48,8 @@ fn assert_near(value: &Value, expected: f64) {
     assert!((ratio - 1.0).abs() < 1e-12, "{value} is not {expected}");
 }
 
+const BOUNDS: [&str; 5] = ["none", "scene", "spheres", "boxes", "tree"];
+
 #[test]
 fn all_backends_and_volumes_are_measured_side_by_side() {
     let results = bench("--threads 1,2 --runs 3");
@@ -57,14 +59,10 @@ fn all_backends_and_volumes_are_measured_side_by_side() {
     );
     assert_eq!(
         names(&results),
-        [
-            "cpu 1 none",
-            "cpu 1 tree",
-            "cpu 2 none",
-            "cpu 2 tree",
-            "gpu - none",
-            "gpu - tree"
-        ]
+        ["cpu 1", "cpu 2", "gpu -"]
+            .into_iter()
+            .flat_map(|backend| BOUNDS.map(|bounds| format!("{backend} {bounds}")))
+            .collect::<Vec<_>>()
     );
     assert_eq!(results["equal"], true);
     let rows = results["runs"].as_array().expect("rows");
@@ -76,8 +74,9 @@ fn all_backends_and_volumes_are_measured_side_by_side() {
         assert!(0.0 < min && min <= median && median <= max, "{row:#}");
         let rate = 48.0 * 32.0 / median / 1e3;
         assert_near(&row["mrays_per_s"], rate);
-        // Against `none` of the same backend and threads, which is the row before.
-        let none = number(&rows[index / 2 * 2]["median_ms"]);
+        // Against `none` of the same backend and threads, which is the first of them.
+        let none = index / BOUNDS.len() * BOUNDS.len();
+        let none = number(&rows[none]["median_ms"]);
         assert_near(&row["speedup"], none / median);
         let first = number(&rows[0]["median_ms"]);
         assert_near(&row["against_first"], first / median);
@@ -130,7 +129,7 @@ fn the_table_names_the_clock_and_the_verdict() {
         .with(0);
     for words in [
         "wall time of tracing alone; 1 + 2 runs, interleaved",
-        "backend  threads  bounds  runs",
+        "backend  threads   bounds  runs",
         "all pictures equal, bit for bit",
     ] {
         assert!(ended.out.contains(words), "no `{words}` in {ended:#?}");
@@ -147,7 +146,8 @@ fn flags_that_make_no_sense_are_2() {
         ("--budget=-1", "seconds"),
         ("--budget nan", "seconds"),
         ("--budget inf", "seconds"),
-        ("--bounds fog", "none, tree"),
+        ("--bounds fog", "none, scene, spheres, boxes, tree"),
+        ("--levels 0", "1 to 16"),
         ("--threads 1,0", "1 to 1024"),
         ("--backend gpu --threads 1", "--threads"),
         ("--backend cpu --adapter x", "--adapter"),
