@@ -77,6 +77,7 @@ fn spiral() -> Scene {
             },
         ],
         shapes: std::iter::once(floor).chain((0..BALLS).map(ball)).collect(),
+        groups: Vec::new(),
     }
 }
 

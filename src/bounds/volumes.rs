@@ -78,8 +78,8 @@ impl<R: Real> List<'_, R> {
             .map(|(id, _)| id)
             .collect();
         self.push_runs(&loose);
-        for index in 0..parts.len() {
-            if parts[index].parent.is_none() {
+        for (index, part) in parts.iter().enumerate() {
+            if part.parent.is_none() {
                 self.push_part(index);
             }
         }
