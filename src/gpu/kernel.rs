@@ -86,7 +86,7 @@ impl Gpu {
             ..Default::default()
         };
         #[expect(unsafe_code, reason = "the only way to keep NoContraction")]
-        // SAFETY: naga validated the module and wrote it with bounds checks.
+        // SAFETY: naga validated and wrote the module; its indices come from the host's tables.
         unsafe {
             self.device.create_shader_module_passthrough(descriptor)
         }

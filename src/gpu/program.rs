@@ -133,8 +133,9 @@ fn reflect(module: &naga::Module) -> Vec<Binding> {
     bindings
 }
 
-/// Bounds checks stay on: a wrong index must not read what lies beside a buffer.
-/// Loops need no bounding: each runs over a range that the host sets.
+/// Without bounds checks, naga's default: every index comes from the host's tables,
+/// and Vulkan's robust access stands behind it. Loops need no bounding: each runs over
+/// a range that the host sets.
 fn write_spirv(
     module: &naga::Module,
     info: &naga::valid::ModuleInfo,
