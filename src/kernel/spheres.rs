@@ -10,6 +10,7 @@ use super::vector::{Vec3, face_viewer};
 use crate::flat::Flat;
 
 /// Tests the sphere in a row of the table, within its own box.
+#[inline]
 pub fn test_sphere<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let sphere = &flat.spheres[row as usize];
     let mut t = intersect_sphere(probe.ray, sphere);

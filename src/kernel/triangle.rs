@@ -72,6 +72,7 @@ pub fn shear_of<R: Real>(ray: Ray<R>) -> Shear<R> {
 /// An edge is left or right of the ray as one rounded product compares with the
 /// other. Two triangles that share an edge compare the same two products, so no
 /// ray slips between them, even where a compiler contracts their difference.
+#[inline]
 pub fn edge_functions<R: Real>(ray: Ray<R>, shear: Shear<R>, triangle: &Triangle<R>) -> Edges<R> {
     let a = axis_last(Vec3::from(triangle.a) - ray.origin, shear.axis);
     let b = axis_last(Vec3::from(triangle.b) - ray.origin, shear.axis);
@@ -118,6 +119,7 @@ fn corner_weights<R: Real>(edges: Edges<R>) -> Vec3<R> {
 
 /// The t > 0 at which the ray meets the triangle, from either side, its edges
 /// included, or `MISS`.
+#[inline]
 pub fn intersect_triangle<R: Real>(ray: Ray<R>, shear: Shear<R>, triangle: &Triangle<R>) -> R {
     let edges = edge_functions(ray, shear, triangle);
     if edges.determinant == R::ZERO {

@@ -12,6 +12,7 @@ use crate::flat::Flat;
 use crate::layout::{Corners, Triangle};
 
 /// The triangle with these corners.
+#[inline]
 pub fn triangle_of<R: Real>(flat: &Flat<R>, corners: Corners) -> Triangle<R> {
     let [a, b, c] = corners
         .vertices
@@ -27,6 +28,7 @@ pub fn triangle_of<R: Real>(flat: &Flat<R>, corners: Corners) -> Triangle<R> {
 }
 
 /// Tests the triangle in a row of the table, within its own box.
+#[inline]
 pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let corners = flat.triangles[row as usize];
     let triangle = triangle_of(flat, corners);
