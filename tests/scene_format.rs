@@ -318,10 +318,51 @@ fn blocks(language: &str) -> Vec<&'static str> {
 #[test]
 fn the_example_of_the_reference_loads_without_a_warning() {
     let examples = blocks("toml");
-    assert_eq!(examples.len(), 1);
+    assert_eq!(examples.len(), 2);
     let loaded = parse(examples[0]).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
     assert_eq!(loaded.warnings, Vec::<String>::new());
     assert_eq!(loaded.scene.shapes.len(), 29);
+    let groups = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n".to_string() + examples[1];
+    let loaded = parse(&groups).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
+    let parents: Vec<_> = loaded
+        .scene
+        .groups
+        .iter()
+        .map(|group| group.parent)
+        .collect();
+    assert_eq!(parents, [None, Some(0)]);
+    assert_eq!(
+        rayproof::bounds::overfull_groups(&loaded.scene),
+        Vec::<String>::new()
+    );
+}
+
+/// Groups that make no sense, each told where it stands.
+#[test]
+fn faults_of_groups() {
+    for (group, words) in [
+        ("[[group]]\nbound = \"box\"", "auto"),
+        (
+            "[[group]]\nbound = { center = [0, 0, 0] }",
+            "lacks `radius`",
+        ),
+        (
+            "[[group]]\nbound = { low = [0, 0, 0], high = [1, 0, 1] }",
+            "must lie below",
+        ),
+        ("[[group]]\nbund = \"auto\"", "unknown key `bund`"),
+        (
+            "[[group]]\n[[group.plane]]\npoint = [0, 0, 0]\nnormal = [0, 1, 0]",
+            "a plane has no",
+        ),
+        ("[[group]]\n[[group.sphere]]\nradius = -1", "greater than 0"),
+        ("[group]\nname = \"one\"", "[[group]]"),
+    ] {
+        let text = format!("[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n{group}\n");
+        let error = parse(&text).expect_err(group);
+        let told = format!("{:?}", miette::Report::new(error));
+        assert!(told.contains(words), "{group}: {told}");
+    }
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Bounding volumes: rays that miss a volume skip what is in it.
 //!
 //! [`tree`] builds a bounding volume hierarchy over all primitives but the
-//! planes, `validate` proves a built tree, and [`pairs`] packs it for the shaders.
+//! planes: `split` finds where a node is cut, `item` is what is cut, `validate` proves
+//! a built tree, and [`pairs`] packs it for the shaders.
 //! `volumes` lists the volumes of groups and meshes: `held` says how large they must
 //! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand.
 //! `arrange` puts the primitives into the volumes' order.
@@ -9,8 +10,10 @@
 mod arrange;
 pub mod ball;
 mod held;
+mod item;
 mod overfull;
 pub mod pairs;
+mod split;
 pub mod tree;
 mod validate;
 mod volumes;

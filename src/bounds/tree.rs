@@ -1,21 +1,23 @@
 //! A bounding volume hierarchy, built top down by the binned surface area
 //! heuristic: Wald, "On fast Construction of SAH-based Bounding Volume
 //! Hierarchies", IEEE Symposium on Interactive Ray Tracing, 2007.
+//!
+//! A node's primitives are moved within their part of one array, and what is below a
+//! node of n primitives has its own 2n - 2 places among the nodes. So threads share
+//! nothing, and the tree does not depend on them.
 
+use bytemuck::{Pod, Zeroable};
+use rayon::prelude::*;
+
+use super::item::Item;
+use super::split::{Half, best_split, divide_items};
 use crate::flat::Kind;
 use crate::kernel::aabb::Aabb;
 use crate::kernel::tree::STACK;
-use crate::kernel::vector::{Vec3, vec3};
-
-/// Bins an axis is cut into. More than 16 hardly improves a tree (Wald 2007,
-/// section 4).
-const BINS: usize = 16;
+use crate::kernel::vector::Vec3;
 
 /// Primitives of a leaf at most.
 const LEAF: usize = 4;
-
-/// The cost of visiting a pair, in shape tests: two boxes and a stack.
-const VISIT: f32 = 1.0;
 
 /// The depth from which on halves are split by count, so that the whole stays
 /// within the traversal's stack: 32 more levels hold any count of 32 bits.
@@ -23,9 +25,6 @@ const DEEP: usize = STACK - 32;
 
 /// Fewer primitives than this are not worth a thread of their own.
 const PARALLEL: usize = 4096;
-
-/// A box with its primitive's id.
-type Item = (Aabb, u32);
 
 /// A node of a tree.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,225 +41,204 @@ pub struct Node {
 /// A finished tree.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Tree {
-    /// The root first, siblings side by side.
+    /// The root first, siblings side by side, after their parent.
     pub nodes: Vec<Node>,
-    /// The primitives of the leaves; those of one leaf are of one kind.
+    /// The primitives of the leaves; those of one leaf are of one kind. All below a
+    /// node are side by side.
     pub ids: Vec<u32>,
 }
 
-/// A node on the way to its place in the arrays.
-enum Draft {
-    Leaf(Aabb, Vec<u32>),
-    Inner(Aabb, Box<[Draft; 2]>),
+/// A place for a node. All zero where there is none: the first children are at 1.
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Slot {
+    low: [f32; 3],
+    first: u32,
+    high: [f32; 3],
+    count: u32,
+}
+
+/// A node still to be built, of `items`, and where it and all below it go.
+struct Task<'a> {
+    items: &'a mut [Item],
+    /// The index of the first item.
+    first: u32,
+    half: Half,
+    depth: usize,
+    slot: &'a mut Slot,
+    below: &'a mut [Slot],
+    /// The index of the first slot below.
+    first_below: u32,
 }
 
 /// Builds a tree over the boxes; an empty one over fewer than two, which no volume
 /// helps.
-pub fn build(mut items: Vec<Item>, kind_of: &(dyn Fn(u32) -> Kind + Sync)) -> Tree {
-    let mut tree = Tree::default();
-    if items.len() > 1 {
-        let root = subtree(&mut items, 0, kind_of);
-        tree.nodes.push(UNPLACED);
-        place(&mut tree, 0, root);
+pub fn build(items: Vec<(Aabb, u32)>, kind_of: &(dyn Fn(u32) -> Kind + Sync)) -> Tree {
+    if items.len() < 2 {
+        return Tree::default();
     }
-    tree
+    // Few are built before threads have started.
+    let few = items.len() <= PARALLEL;
+    let mut items: Vec<Item> = if few {
+        items.into_iter().map(Item::new).collect()
+    } else {
+        items.into_par_iter().map(Item::new).collect()
+    };
+    let mut slots: Vec<Slot> = bytemuck::zeroed_vec(2 * items.len() - 1);
+    let (root, below) = slots.split_at_mut(1);
+    let half = if few {
+        Half::of(&items)
+    } else {
+        Half::of_many(&items)
+    };
+    grow(
+        Task {
+            items: &mut items,
+            first: 0,
+            half,
+            depth: 0,
+            slot: &mut root[0],
+            below,
+            first_below: 1,
+        },
+        kind_of,
+    );
+    Tree {
+        nodes: compact(&slots),
+        ids: items.iter().map(Item::id).collect(),
+    }
 }
 
-fn subtree(items: &mut [Item], depth: usize, kind_of: &(dyn Fn(u32) -> Kind + Sync)) -> Draft {
-    let bounds = items.iter().fold(EMPTY, |sum, (aabb, _)| union(sum, *aabb));
-    let leaf = |items: &[Item]| Draft::Leaf(bounds, items.iter().map(|(_, id)| *id).collect());
-    if items.len() < 2 {
-        return leaf(items);
+fn grow(task: Task<'_>, kind_of: &(dyn Fn(u32) -> Kind + Sync)) {
+    let Some((left, right)) = divide_task(task, kind_of) else {
+        return;
+    };
+    if left.items.len() + right.items.len() > PARALLEL {
+        rayon::join(|| grow(left, kind_of), || grow(right, kind_of));
+    } else {
+        grow(left, kind_of);
+        grow(right, kind_of);
+    }
+}
+
+/// Writes a node, and gives what is to become its children unless it is a leaf.
+fn divide_task<'a>(
+    task: Task<'a>,
+    kind_of: &(dyn Fn(u32) -> Kind + Sync),
+) -> Option<(Task<'a>, Task<'a>)> {
+    let Task { items, half, .. } = task;
+    let aabb = half.bounds.aabb();
+    *task.slot = Slot {
+        low: aabb.low.into(),
+        first: task.first,
+        high: aabb.high.into(),
+        count: items.len() as u32,
+    };
+    if items.len() == 1 {
+        return None;
     }
     // The root is a pair in any case.
-    let kind = kind_of(items[0].1);
-    let small =
-        items.len() <= LEAF && depth > 0 && items.iter().all(|item| kind_of(item.1) == kind);
-    let middle = match if depth < DEEP {
-        best_split(items, bounds)
+    let small = items.len() <= LEAF && task.depth > 0 && of_one_kind(items, kind_of);
+    let split = if task.depth < DEEP {
+        best_split(items, &half)
     } else {
         None
-    } {
-        Some(split) if small && split.cost >= items.len() as f32 => {
-            return leaf(items);
-        }
-        Some(split) => partition(items, &split),
-        None if small => return leaf(items),
-        // Equal centroids, or too deep: any half is as good, and of few, each kind.
-        None => {
-            items.sort_unstable_by_key(|item| kind_of(item.1));
-            let other = items.partition_point(|item| kind_of(item.1) == kind_of(items[0].1));
-            if items.len() <= LEAF && other < items.len() {
-                other
-            } else {
-                items.len() / 2
-            }
-        }
     };
-    let large = items.len() > PARALLEL;
-    let (left, right) = items.split_at_mut(middle);
-    let children = if large {
-        let (left, right) = rayon::join(
-            || subtree(left, depth + 1, kind_of),
-            || subtree(right, depth + 1, kind_of),
-        );
-        [left, right]
+    let (middle, left, right) = match split {
+        Some((_, cost)) if small && cost >= items.len() as f32 => return None,
+        Some((split, _)) => divide_items(items, &split),
+        None if small => return None,
+        None => halve(items, &half, kind_of),
+    };
+    (task.slot.first, task.slot.count) = (task.first_below, 0);
+    let (left_items, right_items) = items.split_at_mut(middle);
+    let (children, below) = task.below.split_at_mut(2);
+    let [left_slot, right_slot] = children else {
+        unreachable!("two slots were split off")
+    };
+    let beyond = 2 * middle - 2;
+    let (left_below, right_below) = below.split_at_mut(beyond);
+    Some((
+        Task {
+            items: left_items,
+            first: task.first,
+            half: left,
+            depth: task.depth + 1,
+            slot: left_slot,
+            below: left_below,
+            first_below: task.first_below + 2,
+        },
+        Task {
+            items: right_items,
+            first: task.first + middle as u32,
+            half: right,
+            depth: task.depth + 1,
+            slot: right_slot,
+            below: right_below,
+            first_below: task.first_below + 2 + beyond as u32,
+        },
+    ))
+}
+
+fn of_one_kind(items: &[Item], kind_of: &(dyn Fn(u32) -> Kind + Sync)) -> bool {
+    let kind = kind_of(items[0].id());
+    items.iter().all(|item| kind_of(item.id()) == kind)
+}
+
+/// Splits equal middles, or what is too deep, by count along the longest axis; of few,
+/// splits off a kind.
+fn halve(
+    items: &mut [Item],
+    half: &Half,
+    kind_of: &(dyn Fn(u32) -> Kind + Sync),
+) -> (usize, Half, Half) {
+    let extent = |axis: usize| half.centers.high[axis] - half.centers.low[axis];
+    let axis = (0..3).fold(0, |longest, axis| {
+        if extent(axis) > extent(longest) {
+            axis
+        } else {
+            longest
+        }
+    });
+    let mut middle = items.len() / 2;
+    if items.len() <= LEAF && !of_one_kind(items, kind_of) {
+        items.sort_unstable_by_key(|item| (kind_of(item.id()), item.id()));
+        let kind = kind_of(items[0].id());
+        middle = items.partition_point(|item| kind_of(item.id()) == kind);
     } else {
-        [
-            subtree(left, depth + 1, kind_of),
-            subtree(right, depth + 1, kind_of),
-        ]
-    };
-    Draft::Inner(bounds, Box::new(children))
-}
-
-/// A plane between two bins.
-struct Split {
-    axis: usize,
-    /// The smallest centroid, twice.
-    start: f32,
-    /// From twice a centroid, less `start`, to its bin.
-    scale: f32,
-    /// The first bin on the right.
-    bin: usize,
-    /// In shape tests.
-    cost: f32,
-}
-
-/// The cheapest split, unless all centroids coincide.
-fn best_split(items: &[Item], bounds: Aabb) -> Option<Split> {
-    let mut low = [f32::MAX; 3];
-    let mut high = [f32::MIN; 3];
-    for (aabb, _) in items {
-        let center = twice_center(aabb);
-        for axis in 0..3 {
-            low[axis] = low[axis].min(center[axis]);
-            high[axis] = high[axis].max(center[axis]);
-        }
+        items.select_nth_unstable_by(middle, |a, b| {
+            let (at_a, at_b) = (a.twice_center()[axis], b.twice_center()[axis]);
+            at_a.total_cmp(&at_b).then(a.id().cmp(&b.id()))
+        });
     }
-    let whole = half_area(bounds);
-    let mut best: Option<Split> = None;
-    for axis in 0..3 {
-        let scale = BINS as f32 * (1.0 - f32::EPSILON) / (high[axis] - low[axis]);
-        if !(scale > 0.0 && scale.is_finite()) {
-            continue;
-        }
-        let mut bins = [(EMPTY, 0usize); BINS];
-        for (aabb, _) in items {
-            let bin = bin_of(twice_center(aabb)[axis], low[axis], scale);
-            bins[bin] = (union(bins[bin].0, *aabb), bins[bin].1 + 1);
-        }
-        let mut right_costs = [0.0; BINS];
-        let mut sum = (EMPTY, 0);
-        for bin in (1..BINS).rev() {
-            sum = (union(sum.0, bins[bin].0), sum.1 + bins[bin].1);
-            right_costs[bin] = half_area(sum.0) * sum.1 as f32;
-        }
-        let mut sum = (EMPTY, 0);
-        for bin in 1..BINS {
-            sum = (union(sum.0, bins[bin - 1].0), sum.1 + bins[bin - 1].1);
-            if sum.1 == 0 || sum.1 == items.len() {
-                continue;
-            }
-            let cost = VISIT + (half_area(sum.0) * sum.1 as f32 + right_costs[bin]) / whole;
-            if best.as_ref().is_none_or(|best| cost < best.cost) {
-                best = Some(Split {
-                    axis,
-                    start: low[axis],
-                    scale,
-                    bin,
-                    cost,
-                });
-            }
-        }
-    }
-    best
+    let (left, right) = items.split_at(middle);
+    (middle, Half::of(left), Half::of(right))
 }
 
-fn bin_of(twice_center: f32, start: f32, scale: f32) -> usize {
-    (((twice_center - start) * scale) as usize).min(BINS - 1)
-}
-
-/// Moves what lies left of the split to the front, and counts it.
-fn partition(items: &mut [Item], split: &Split) -> usize {
-    let mut middle = 0;
-    for index in 0..items.len() {
-        let center = twice_center(&items[index].0)[split.axis];
-        if bin_of(center, split.start, split.scale) < split.bin {
-            items.swap(index, middle);
-            middle += 1;
-        }
-    }
-    middle
-}
-
-/// Writes a node, and all below it, into the arrays.
-fn place(tree: &mut Tree, at: usize, draft: Draft) {
-    match draft {
-        Draft::Leaf(aabb, ids) => {
-            tree.nodes[at] = Node {
-                aabb,
-                first: tree.ids.len() as u32,
-                count: ids.len() as u32,
-            };
-            tree.ids.extend(&ids);
-        }
-        Draft::Inner(aabb, children) => {
-            let first = tree.nodes.len();
-            tree.nodes[at] = Node {
-                aabb,
-                first: first as u32,
-                count: 0,
-            };
-            tree.nodes.extend([UNPLACED; 2]);
-            let [left, right] = *children;
-            place(tree, first, left);
-            place(tree, first + 1, right);
-        }
-    }
-}
-
-/// What a node is until it is written.
-const UNPLACED: Node = Node {
-    aabb: EMPTY,
-    first: 0,
-    count: 0,
-};
-
-/// The box of no points, which no ray meets.
-const EMPTY: Aabb = Aabb {
-    low: Vec3 {
-        x: f32::MAX,
-        y: f32::MAX,
-        z: f32::MAX,
-    },
-    high: Vec3 {
-        x: f32::MIN,
-        y: f32::MIN,
-        z: f32::MIN,
-    },
-};
-
-fn union(a: Aabb, b: Aabb) -> Aabb {
-    Aabb {
-        low: vec3(
-            a.low.x.min(b.low.x),
-            a.low.y.min(b.low.y),
-            a.low.z.min(b.low.z),
-        ),
-        high: vec3(
-            a.high.x.max(b.high.x),
-            a.high.y.max(b.high.y),
-            a.high.z.max(b.high.z),
-        ),
-    }
-}
-
-fn half_area(aabb: Aabb) -> f32 {
-    let size = aabb.high - aabb.low;
-    size.x * size.y + size.y * size.z + size.z * size.x
-}
-
-fn twice_center(aabb: &Aabb) -> [f32; 3] {
-    (aabb.low + aabb.high).into()
+/// Leaves out the slots that no node took: those below leaves of several primitives.
+fn compact(slots: &[Slot]) -> Vec<Node> {
+    let is_taken = |slot: &Slot| slot.first > 0 || slot.count > 0;
+    let mut taken = 1;
+    let places: Vec<u32> = slots[1..]
+        .chunks_exact(2)
+        .map(|pair| {
+            let place = taken;
+            taken += if is_taken(&pair[0]) { 2 } else { 0 };
+            place
+        })
+        .collect();
+    let mut nodes = Vec::with_capacity(taken as usize);
+    nodes.extend(slots.iter().filter(|slot| is_taken(slot)).map(|slot| Node {
+        aabb: Aabb {
+            low: Vec3::from(slot.low),
+            high: Vec3::from(slot.high),
+        },
+        first: if slot.count == 0 {
+            places[slot.first as usize / 2]
+        } else {
+            slot.first
+        },
+        count: slot.count,
+    }));
+    nodes
 }
