@@ -194,8 +194,8 @@ impl Bins {
     fn fill(&mut self, items: &[Item], to_bin: ToBin) {
         for item in items {
             let bins = to_bin.bins(item.twice_center());
-            for axis in 0..3 {
-                let bin = bins[axis] as usize;
+            for (axis, &bin) in bins[..3].iter().enumerate() {
+                let bin = bin as usize;
                 self.bounds[axis][bin] = self.bounds[axis][bin].with(item.extent());
                 self.counts[axis][bin] += 1;
             }
