@@ -7,7 +7,7 @@ const STACK: u32 = 64u;
 // it the ray is given up, and said to be. Below lavapipe's 65,535 iterations.
 const MOST_VISITS: u32 = 30000u;
 
-// See src/layout.rs.
+// As in src/layout.rs; a test holds them to it.
 const LEAF: u32 = 0x80000000u;
 const LEAF_KIND: u32 = 29u;
 const LEAF_COUNT: u32 = 26u;

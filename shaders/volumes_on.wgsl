@@ -4,7 +4,7 @@
 // How far each pixel's ray has come in the list, from one dispatch to the next.
 @group(0) @binding(6) var<storage, read_write> cursors: array<vec2<u32>>;
 
-// See src/layout.rs.
+// As in src/layout.rs; a test holds them to it.
 const BALL: u32 = 3u;
 
 // An entry of the list.

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use serde::Serialize;
 
-use crate::bounds::tree::Tree;
 use crate::layout::{
     BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane, QUAD, Sphere,
     Surroundings, Volume,
@@ -66,9 +65,7 @@ pub struct Flat<R> {
     pub balls: Vec<Sphere<R>>,
     /// The volumes that are boxes.
     pub boxes: Vec<BoxRecord>,
-    /// The bounding volume hierarchy; empty where there is none.
-    pub tree: Tree,
-    /// The same as [`crate::kernel::tree`] reads it, the root first.
+    /// The bounding volume hierarchy, the root first; empty where there is none.
     pub pairs: Vec<Pair>,
 }
 

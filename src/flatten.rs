@@ -9,7 +9,6 @@ use std::ops::Range;
 
 use glam::{DMat3, DVec3};
 
-use crate::bounds::tree::Tree;
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::real::Real;
 use crate::layout::{
@@ -54,7 +53,6 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         volumes: Vec::new(),
         balls: Vec::new(),
         boxes: Vec::new(),
-        tree: Tree::default(),
         pairs: Vec::new(),
     };
     for material in &scene.materials {

@@ -203,7 +203,7 @@ pub fn count(
 ) -> Result<Counters> {
     scene.validate()?;
     let settings = settings.into();
-    let counters = match (backend, settings.accuracy) {
+    match (backend, settings.accuracy) {
         (Backend::Cpu(threads), Accuracy::Robust) => {
             cpu::count(&bounded::<f32>(scene, settings), *threads, watch)
         }
@@ -221,8 +221,7 @@ pub fn count(
             Ok(prepared.counters().unwrap_or_default())
         }
         (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
-    }?;
-    Ok(counters)
+    }
 }
 
 fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {

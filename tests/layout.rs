@@ -2,6 +2,8 @@
 
 use rayproof::effects::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Fetch, select_files};
 use rayproof::gpu::program::{Access, Binding, Program, StructLayout, struct_layout};
+use rayproof::kernel::hit::GIVEN_UP;
+use rayproof::kernel::tree::{MOST_VISITS, STACK};
 use rayproof::layout::*;
 
 const NATIVE: Device = Device {
@@ -141,7 +143,51 @@ fn bindings_are_these() {
         let device = Device { fetch, ..NATIVE };
         let program = Program::build(&select_files(|_| true, device)).unwrap();
         assert_eq!(program.bindings, expected(access));
+        // SwiftShader binds no more.
+        let storage = program
+            .bindings
+            .iter()
+            .filter(|binding| binding.access != Access::Uniform)
+            .count();
+        assert!(storage <= 10);
     }
+}
+
+/// The value of a WGSL constant.
+fn constant(shader: &str, name: &str) -> Option<u32> {
+    let (_, value) = shader.split_once(&format!("const {name}: u32 = "))?;
+    let value = value.split(['u', ';']).next()?;
+    match value.strip_prefix("0x") {
+        Some(hexadecimal) => u32::from_str_radix(hexadecimal, 16).ok(),
+        None => value.parse().ok(),
+    }
+}
+
+/// What both sides must agree on and both write down.
+#[test]
+fn constants_are_the_hosts() {
+    let tree = include_str!("../shaders/tree_on.wgsl");
+    let volumes = include_str!("../shaders/volumes_on.wgsl");
+    let hit = include_str!("../shaders/hit.wgsl");
+    for (shader, name, value) in [
+        (tree, "LEAF", LEAF),
+        (tree, "LEAF_KIND", LEAF_KIND),
+        (tree, "LEAF_COUNT", LEAF_COUNT),
+        (tree, "NOWHERE", NOWHERE),
+        (tree, "STACK", STACK as u32),
+        (tree, "MOST_VISITS", MOST_VISITS),
+        (volumes, "BALL", BALL),
+        (hit, "NO_HIT", NO_HIT),
+        (hit, "GIVEN_UP", GIVEN_UP),
+    ] {
+        assert_eq!(constant(shader, name), Some(value), "{name}");
+    }
+    // The controls: another value, and a name that is not there.
+    assert_ne!(
+        constant("const STACK: u32 = 63u;", "STACK"),
+        Some(STACK as u32)
+    );
+    assert_eq!(constant(tree, "STAK"), None);
 }
 
 /// Every combination of effects is a valid module, and an effect that is off

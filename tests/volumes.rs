@@ -3,18 +3,18 @@
 mod common;
 
 use common::random::random_scene;
-use common::{BRUTE_FORCE, assert_same_bits, compare, gpu, scene};
+use common::{
+    assert_bounds_change_nothing, changed, compare, gpu, mesh_scene, scene, sphere_ahead,
+    white_scene,
+};
 use glam::DVec3;
 use rayproof::bounds::{Bounds, bound, overfull_groups};
 use rayproof::count::Counters;
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
-use rayproof::kernel::real::Real;
-use rayproof::kernel::trace::trace_pixel;
-use rayproof::layout::Pixel;
 use rayproof::render::{Settings, count};
 use rayproof::scene::mesh::Builtin;
-use rayproof::scene::{Geometry, Group, GroupBound, Material, Shape, Transform};
+use rayproof::scene::{Geometry, Group, GroupBound, Shape};
 use rayproof::{Accuracy, Backend, Scene, Unwatched};
 
 /// Every choice of volumes but brute force.
@@ -60,7 +60,7 @@ fn counts_of_the_report() {
     let rounded = counters(&cpu, Accuracy::Robust, Bounds::Scene);
     assert_eq!(rounded.bound_hits, 256_242);
     assert_eq!(rounded, scene);
-    for bounds in [Bounds::Scene].into_iter().chain(CHOICES) {
+    for bounds in CHOICES {
         let on = |backend| counters(backend, Accuracy::Robust, bounds);
         assert_eq!(on(&gpu), on(&cpu), "{bounds:?}");
     }
@@ -84,59 +84,24 @@ fn tight_volumes_save_more() {
     assert!(total(Bounds::Boxes { levels: 3 }) < boxes);
 }
 
-/// Renders in every way, and compares all layers.
-fn assert_volumes_change_nothing(scene: &Scene) {
-    let gpu = Backend::Gpu(Box::new(gpu()));
-    let cpu = Backend::Cpu(None);
-    let on = |backend: &Backend, settings: Settings| {
-        rayproof::render(scene, backend, settings, &Unwatched)
-            .unwrap()
-            .frame
-    };
-    let reference = on(&cpu, BRUTE_FORCE);
-    let double = on(&cpu, with(Accuracy::Double, Bounds::None));
-    for bounds in CHOICES {
-        let settings = with(Accuracy::Robust, bounds);
-        assert_same_bits(&reference, &on(&cpu, settings));
-        assert_same_bits(&reference, &on(&gpu, settings));
-        assert_same_bits(&double, &on(&cpu, with(Accuracy::Double, bounds)));
-    }
-}
-
 #[test]
 fn seed_spheres() {
-    assert_volumes_change_nothing(&scene("seed-spheres").with_size(400, 400));
+    assert_bounds_change_nothing(&scene("seed-spheres").with_size(400, 400), &CHOICES);
 }
 
 #[test]
 fn shapes() {
-    assert_volumes_change_nothing(&scene("shapes").with_size(200, 200));
+    assert_bounds_change_nothing(&scene("shapes").with_size(200, 200), &CHOICES);
 }
 
 #[test]
 fn seed_models() {
-    assert_volumes_change_nothing(&scene("seed-models").with_size(100, 100));
+    assert_bounds_change_nothing(&scene("seed-models").with_size(100, 100), &CHOICES);
 }
 
 #[test]
 fn knot() {
-    assert_volumes_change_nothing(&scene("knot").with_size(12, 12));
-}
-
-/// Pixels that differ between brute force and the volumes.
-fn changed<R: Real>(scene: &Scene, bounds: Bounds) -> usize {
-    let plain = flatten::<R>(scene);
-    let mut bounded = plain.clone();
-    bound(&mut bounded, bounds);
-    let without_tests = |pixel: Pixel| Pixel { tests: 0, ..pixel };
-    let [width, height] = plain.size;
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    pixels
-        .filter(|&(x, y)| {
-            let [without, with] = [&plain, &bounded].map(|flat| trace_pixel(flat, x, y));
-            without_tests(without) != without_tests(with)
-        })
-        .count()
+    assert_bounds_change_nothing(&scene("knot").with_size(12, 12), &CHOICES);
 }
 
 /// The random scene with its shapes, planes first, in nested groups.
@@ -183,26 +148,13 @@ fn random_groups_at_every_scale() {
 /// A sphere of radius 1 at (0, 0, -3) in a group with a volume.
 fn one_sphere(bound: GroupBound) -> Scene {
     Scene {
-        ambient: [1.0; 3],
-        materials: vec![Material {
-            name: "white".into(),
-            albedo: [0.8; 3],
-        }],
-        shapes: vec![Shape {
-            geometry: Geometry::Sphere {
-                center: DVec3::new(0.0, 0.0, -3.0),
-                radius: 1.0,
-            },
-            transform: Transform::default(),
-            material: 0,
-        }],
         groups: vec![Group {
             name: Some("lone".into()),
             bound,
             parent: None,
             shapes: 0..1,
         }],
-        ..Scene::default()
+        ..white_scene(vec![sphere_ahead()])
     }
     .with_size(64, 64)
 }
@@ -246,7 +198,7 @@ fn a_volume_that_is_too_small_is_noticed() {
 /// through the list in several dispatches.
 #[test]
 fn two_hundred_thousand_triangles_in_one_ball() {
-    let scene = common::mesh_scene(Builtin::Icosphere, 200_000, 24);
+    let scene = mesh_scene(Builtin::Icosphere, 200_000, 24);
     let backend = Backend::Gpu(Box::new(gpu()));
     let on = |bounds| {
         rayproof::render(&scene, &backend, with(Accuracy::Robust, bounds), &Unwatched)

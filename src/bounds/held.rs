@@ -18,8 +18,9 @@ const PADDING: f64 = 64.0 / 16_777_216.0;
 
 /// What volumes must hold of each primitive.
 pub(super) struct Held {
-    /// By id; a plane's are empty.
-    balls: Vec<Vec<Ball>>,
+    /// By id: the corners of a triangle, a sphere or a disk as a ball three times.
+    balls: Vec<[Ball; 3]>,
+    /// By id; none for a plane.
     boxes: Vec<Option<Aabb>>,
 }
 
@@ -28,27 +29,31 @@ impl Held {
     pub(super) fn of<R: Real>(flat: &Flat<R>) -> Self {
         let count = flat.primitives() as usize;
         let mut held = Self {
-            balls: vec![Vec::new(); count],
+            balls: vec![[Ball::default(); 3]; count],
             boxes: vec![None; count],
         };
         let point = |v: [R; 3]| DVec3::from(v.map(|x| f64::from(x.to_f32())));
         for (sphere, &id) in flat.spheres.iter().zip(&flat.sphere_ids) {
             let ball = (point(sphere.center), sphere.radius.to_f32().into());
-            held.balls[id as usize].push(ball);
+            held.balls[id as usize] = [ball; 3];
         }
         for (disk, &id) in flat.disks.iter().zip(&flat.disk_ids) {
             let ball = (point(disk.center), disk.radius.to_f32().into());
-            held.balls[id as usize].push(ball);
+            held.balls[id as usize] = [ball; 3];
         }
         for &corners in &flat.triangles {
             let triangle = triangle_of(flat, corners);
             let points = [triangle.a, triangle.b, triangle.c];
-            held.balls[corners.id as usize].extend(points.map(|v| (point(v), 0.0)));
+            held.balls[corners.id as usize] = points.map(|v| (point(v), 0.0));
         }
         for (aabb, id) in primitive_boxes(flat) {
             held.boxes[id as usize] = Some(aabb);
         }
         held
+    }
+
+    fn balls_of(&self, ids: &[u32]) -> impl Iterator<Item = &Ball> {
+        ids.iter().flat_map(|&id| &self.balls[id as usize])
     }
 
     /// The box of primitives: the union of their own boxes.
@@ -72,10 +77,7 @@ impl Held {
 
     /// The tight ball of primitives, padded.
     pub(super) fn ball_of<R: Real>(&self, ids: &[u32]) -> Sphere<R> {
-        let items: Vec<Ball> = ids
-            .iter()
-            .flat_map(|&id| self.balls[id as usize].clone())
-            .collect();
+        let items: Vec<Ball> = self.balls_of(ids).copied().collect();
         let (center, _) = bounding_ball(&items).unwrap_or_default();
         let center = center.to_array().map(R::from_f64);
         Sphere {
@@ -122,8 +124,7 @@ impl Held {
     /// How far primitives reach from a centre, without padding.
     pub(super) fn radius_around<R: Real>(&self, center: [R; 3], ids: &[u32]) -> f64 {
         let center = DVec3::from(center.map(|x| f64::from(x.to_f32())));
-        let items = ids.iter().flat_map(|&id| &self.balls[id as usize]);
-        items.fold(0.0, |most, (at, radius)| {
+        self.balls_of(ids).fold(0.0, |most, (at, radius)| {
             most.max(center.distance(*at) + radius)
         })
     }
@@ -133,8 +134,7 @@ impl Held {
     pub(super) fn outside_box(&self, bounds: &BoxRecord, ids: &[u32]) -> f64 {
         let low = DVec3::from(bounds.low.map(f64::from));
         let high = DVec3::from(bounds.high.map(f64::from));
-        let items = ids.iter().flat_map(|&id| &self.balls[id as usize]);
-        items.fold(f64::MIN, |most, (at, radius)| {
+        self.balls_of(ids).fold(f64::MIN, |most, (at, radius)| {
             let below = (low - *at).max_element() + radius;
             let above = (*at - high).max_element() + radius;
             most.max(below).max(above)

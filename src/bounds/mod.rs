@@ -4,13 +4,15 @@
 //! planes: `split` finds where a node is cut, `item` is what is cut, `validate` proves
 //! a built tree, and [`pairs`] packs it for the shaders.
 //! `volumes` lists the volumes of groups and meshes: `held` says how large they must
-//! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand.
+//! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand,
+//! `nesting` knows what lies in what.
 //! `arrange` puts the primitives into the volumes' order.
 
 mod arrange;
 pub mod ball;
 mod held;
 mod item;
+mod nesting;
 mod overfull;
 pub mod pairs;
 mod split;
@@ -25,7 +27,6 @@ use serde::Serialize;
 
 use self::arrange::arrange;
 use self::pairs::pack_pairs;
-use self::tree::Tree;
 use self::volumes::{Listing, list_volumes};
 use crate::flat::Flat;
 use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
@@ -82,7 +83,6 @@ impl Serialize for Bounds {
 
 /// Builds the volumes of a flattened scene, in place of those that it has.
 pub fn bound<R: Real>(flat: &mut Flat<R>, bounds: Bounds) {
-    flat.tree = Tree::default();
     flat.pairs = Vec::new();
     (flat.volumes, flat.balls, flat.boxes) = Default::default();
     match bounds {
@@ -101,7 +101,6 @@ fn grow_tree<R: Real>(flat: &mut Flat<R>) {
         let (kind, _) = flat.kind_of(tree.ids[first as usize]);
         (kind, rows[first as usize])
     });
-    flat.tree = tree;
 }
 
 /// The box of each primitive but the planes, which have none, with its id: the

@@ -1,6 +1,7 @@
 //! What sticks out of the volumes that a scene gives by hand.
 
 use super::held::Held;
+use super::nesting::Nesting;
 use crate::flat::GivenBound;
 use crate::flatten::flatten_with_ids;
 use crate::scene::{Group, Scene};
@@ -13,12 +14,14 @@ pub fn overfull_groups(scene: &Scene) -> Vec<String> {
     }
     let (flat, ids) = flatten_with_ids::<f64>(scene);
     let held = Held::of(&flat);
+    let nesting = Nesting::of(scene.groups.iter().map(|group| group.parent));
     let mut lines = Vec::new();
     for (index, group) in scene.groups.iter().enumerate() {
         let Some(given) = flat.parts[index].given else {
             continue;
         };
-        for shape in shapes_of(&scene.groups, index) {
+        let inner = nesting.with_all_in(index);
+        for shape in inner.flat_map(|inner| scene.groups[inner].shapes.clone()) {
             let own: Vec<u32> = ids[shape].clone().collect();
             let outside = match given {
                 GivenBound::Ball(ball) => held.radius_around(ball.center, &own) - ball.radius,
@@ -36,14 +39,6 @@ pub fn overfull_groups(scene: &Scene) -> Vec<String> {
         }
     }
     lines
-}
-
-/// The shapes of a group and of all groups in it.
-fn shapes_of(groups: &[Group], index: usize) -> Vec<usize> {
-    let inner = (index + 1..groups.len()).filter(|inner| groups[*inner].parent == Some(index));
-    let own = groups[index].shapes.clone();
-    own.chain(inner.flat_map(|inner| shapes_of(groups, inner)))
-        .collect()
 }
 
 fn label(group: &Group, index: usize) -> String {

@@ -59,6 +59,9 @@ impl Half {
 
     /// The same by several threads: minima and maxima do not depend on the order.
     pub fn of_many(items: &[Item]) -> Half {
+        if items.len() <= MANY {
+            return Half::of(items);
+        }
         items
             .par_chunks(MANY)
             .map(Half::of)

@@ -7,7 +7,6 @@
 //! nothing, and the tree does not depend on them.
 
 use bytemuck::{Pod, Zeroable};
-use rayon::prelude::*;
 
 use super::item::Item;
 use super::split::{Half, best_split, divide_items};
@@ -77,20 +76,10 @@ pub fn build(items: Vec<(Aabb, u32)>, kind_of: &(dyn Fn(u32) -> Kind + Sync)) ->
     if items.len() < 2 {
         return Tree::default();
     }
-    // Few are built before threads have started.
-    let few = items.len() <= PARALLEL;
-    let mut items: Vec<Item> = if few {
-        items.into_iter().map(Item::new).collect()
-    } else {
-        items.into_par_iter().map(Item::new).collect()
-    };
+    let mut items: Vec<Item> = items.into_iter().map(Item::new).collect();
     let mut slots: Vec<Slot> = bytemuck::zeroed_vec(2 * items.len() - 1);
     let (root, below) = slots.split_at_mut(1);
-    let half = if few {
-        Half::of(&items)
-    } else {
-        Half::of_many(&items)
-    };
+    let half = Half::of_many(&items);
     grow(
         Task {
             items: &mut items,

@@ -2,9 +2,9 @@
 //! around groups and meshes, and within each as many levels as wanted.
 
 use super::arrange::arrange;
-
 use super::held::Held;
-use crate::flat::{Flat, GivenBound, Part};
+use super::nesting::Nesting;
+use crate::flat::{Flat, GivenBound};
 use crate::kernel::real::Real;
 use crate::layout::{BALL, BOX, BoxRecord, Sphere, Volume};
 
@@ -25,9 +25,11 @@ const BRANCHES: usize = 4;
 /// Fills the list of volumes, and puts the primitives into its order.
 pub(super) fn list_volumes<R: Real>(flat: &mut Flat<R>, listing: Listing) {
     let held = Held::of(flat);
+    let nesting = Nesting::of(flat.parts.iter().map(|part| part.parent));
     let mut list = List {
         flat,
         held: &held,
+        nesting: &nesting,
         listing,
         entries: Vec::new(),
         ids: Vec::new(),
@@ -55,6 +57,7 @@ pub(super) fn list_volumes<R: Real>(flat: &mut Flat<R>, listing: Listing) {
 struct List<'a, R> {
     flat: &'a Flat<R>,
     held: &'a Held,
+    nesting: &'a Nesting,
     listing: Listing,
     entries: Vec<Volume>,
     ids: Vec<u32>,
@@ -78,10 +81,8 @@ impl<R: Real> List<'_, R> {
             .map(|(id, _)| id)
             .collect();
         self.push_runs(&loose);
-        for (index, part) in parts.iter().enumerate() {
-            if part.parent.is_none() {
-                self.push_part(index);
-            }
+        for &part in self.nesting.outermost() {
+            self.push_part(part);
         }
     }
 
@@ -89,12 +90,15 @@ impl<R: Real> List<'_, R> {
     fn push_part(&mut self, index: usize) {
         let part = &self.flat.parts[index];
         let own: Vec<u32> = part.ids.iter().cloned().flatten().collect();
-        let children = children(&self.flat.parts, index);
         // A mesh has no volume of its own in the scene's words.
         if part.is_mesh && self.listing == Listing::Given {
             return self.push_runs(&own);
         }
-        let all = all_ids(&self.flat.parts, index);
+        let all: Vec<u32> = self
+            .nesting
+            .with_all_in(index)
+            .flat_map(|part| self.flat.parts[part].ids.iter().cloned().flatten())
+            .collect();
         if all.is_empty() {
             return;
         }
@@ -105,7 +109,7 @@ impl<R: Real> List<'_, R> {
                 self.push_levels(own, levels.saturating_sub(1));
             }
         }
-        for child in children {
+        for &child in self.nesting.children(index) {
             self.push_part(child);
         }
         self.entries[start].skip = self.entries.len() as u32;
@@ -172,18 +176,4 @@ impl<R: Real> List<'_, R> {
         });
         self.entries.len() - 1
     }
-}
-
-/// The parts that a part holds.
-fn children<R>(parts: &[Part<R>], index: usize) -> Vec<usize> {
-    let held = |part: &usize| parts[*part].parent == Some(index);
-    (index + 1..parts.len()).filter(held).collect()
-}
-
-/// The primitives of a part and of all parts in it.
-fn all_ids<R>(parts: &[Part<R>], index: usize) -> Vec<u32> {
-    let own = parts[index].ids.iter().cloned().flatten();
-    let inner = children(parts, index).into_iter();
-    own.chain(inner.flat_map(|child| all_ids(parts, child)))
-        .collect()
 }

@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &BenchArguments, common: &Common) -> Result<Outcome
         );
     }
     let plan = arguments.plan();
-    let scenes = bounded_scenes(&scene, &arguments.bounds()?, &plan)?;
+    let scenes = bounded_scenes(&scene, &arguments.bounds(), &plan)?;
     let mut cases = Vec::new();
     for threads in arguments.threads(device.as_ref()) {
         for scene in &scenes {

@@ -269,22 +269,14 @@ impl TracingFlags {
 pub(super) const ONE_LEVEL: u32 = 1;
 
 impl BoundsChoice {
-    /// The volumes that it names, so many levels deep.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Usage`] for levels of volumes that have none.
-    pub(super) fn bounds(self, levels: Option<u32>) -> Result<Bounds> {
-        let deep = levels.unwrap_or(ONE_LEVEL);
+    /// The volumes that it names, so many levels deep where they have levels.
+    pub(super) fn bounds(self, levels: u32) -> Bounds {
         match self {
-            Self::Spheres => Ok(Bounds::Spheres { levels: deep }),
-            Self::Boxes => Ok(Bounds::Boxes { levels: deep }),
-            _ if levels.is_some() => Err(Error::Usage(
-                "`--levels` goes with `--bounds spheres` or `--bounds boxes`".into(),
-            )),
-            Self::None => Ok(Bounds::None),
-            Self::Scene => Ok(Bounds::Scene),
-            Self::Tree => Ok(Bounds::Tree),
+            Self::None => Bounds::None,
+            Self::Scene => Bounds::Scene,
+            Self::Spheres => Bounds::Spheres { levels },
+            Self::Boxes => Bounds::Boxes { levels },
+            Self::Tree => Bounds::Tree,
         }
     }
 }
@@ -301,9 +293,15 @@ impl PlaceFlags {
     ///
     /// # Errors
     ///
-    /// As [`BoundsChoice::bounds`].
+    /// [`Error::Usage`] for levels of volumes that have none.
     pub(super) fn bounds(&self) -> Result<Bounds> {
-        self.bounds.bounds(self.levels)
+        let bounds = self.bounds.bounds(self.levels.unwrap_or(ONE_LEVEL));
+        match bounds {
+            Bounds::None | Bounds::Scene | Bounds::Tree if self.levels.is_some() => Err(
+                Error::Usage("`--levels` goes with `--bounds spheres` or `--bounds boxes`".into()),
+            ),
+            _ => Ok(bounds),
+        }
     }
 
     /// Opens the GPU adapter asked for.

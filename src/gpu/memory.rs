@@ -177,3 +177,20 @@ fn write_rows(gpu: &Gpu, texture: &wgpu::Texture, quads: &[Quad], first: u32, wi
         },
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shaders_have_these_sizes() {
+        let texture = include_str!("../../shaders/fetch_texture.wgsl");
+        let bits = ROW.trailing_zeros();
+        assert!(texture.contains(&format!("ROW_BITS: u32 = {bits}u;")));
+        let uniform = include_str!("../../shaders/fetch_uniform.wgsl");
+        assert!(uniform.contains(&format!("array<vec4<u32>, {UNIFORM}>")));
+        // The control: other sizes are not there.
+        assert!(!texture.contains(&format!("ROW_BITS: u32 = {}u;", bits + 1)));
+        assert!(!uniform.contains(&format!("array<vec4<u32>, {}>", UNIFORM + 1)));
+    }
+}

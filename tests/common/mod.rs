@@ -7,12 +7,17 @@ pub mod random;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use rayproof::bounds::Bounds;
+use rayproof::bounds::{Bounds, bound};
+use rayproof::flatten::flatten;
 use rayproof::gpu::device::Gpu;
+use rayproof::kernel::hit::GIVEN_UP;
+use rayproof::kernel::real::Real;
+use rayproof::kernel::trace::trace_pixel;
+use rayproof::layout::Pixel;
 use rayproof::render::Settings;
 use rayproof::scene::mesh::{Builtin, build};
-use rayproof::scene::{Geometry, Material, Shape, Transform};
-use rayproof::{Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
+use rayproof::scene::{Geometry, Material, Mesh, PixelSampling, Shape, Transform};
+use rayproof::{Accuracy, Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
 
 /// The best adapter; without one the test fails, for a check that was not made
 /// is no check.
@@ -24,7 +29,7 @@ pub fn gpu() -> Gpu {
 
 /// Every ray tests every primitive: the reference.
 pub const BRUTE_FORCE: Settings = Settings {
-    accuracy: rayproof::Accuracy::Robust,
+    accuracy: Accuracy::Robust,
     bounds: Bounds::None,
 };
 
@@ -48,24 +53,55 @@ pub fn scene(name: &str) -> Scene {
     Scene::load(format!("assets/scenes/{name}.toml")).unwrap()
 }
 
-/// A built-in mesh in front of the camera.
-pub fn mesh_scene(kind: Builtin, detail: u32, size: u32) -> Scene {
+/// Shapes in white, in light from everywhere.
+pub fn white_scene(shapes: Vec<Shape>) -> Scene {
     Scene {
         ambient: [1.0; 3],
         materials: vec![Material {
             name: "white".into(),
             albedo: [0.8; 3],
         }],
-        shapes: vec![Shape {
-            geometry: Geometry::Mesh(Arc::new(build(kind, detail))),
-            transform: Transform {
-                linear: DMat3::IDENTITY,
-                translate: DVec3::new(0.0, 0.0, -3.0),
-            },
-            material: 0,
-        }],
+        shapes,
         ..Scene::default()
     }
+}
+
+/// A sphere of radius 1 in front of the camera.
+pub fn sphere_ahead() -> Shape {
+    Shape {
+        geometry: Geometry::Sphere {
+            center: DVec3::new(0.0, 0.0, -3.0),
+            radius: 1.0,
+        },
+        transform: Transform::default(),
+        material: 0,
+    }
+}
+
+/// A scene of one mesh in front of a camera whose middle rays run along the axes.
+pub fn mesh_seen_from(mesh: Mesh, eye: DVec3) -> Scene {
+    let mut scene = white_scene(vec![Shape {
+        geometry: Geometry::Mesh(Arc::new(mesh)),
+        transform: Transform::default(),
+        material: 0,
+    }])
+    .with_size(32, 32);
+    scene.camera.eye = eye;
+    scene.camera.target = eye - DVec3::Z;
+    scene.camera.sampling = PixelSampling::Corner;
+    scene
+}
+
+/// A built-in mesh in front of the camera.
+pub fn mesh_scene(kind: Builtin, detail: u32, size: u32) -> Scene {
+    white_scene(vec![Shape {
+        geometry: Geometry::Mesh(Arc::new(build(kind, detail))),
+        transform: Transform {
+            linear: DMat3::IDENTITY,
+            translate: DVec3::new(0.0, 0.0, -3.0),
+        },
+        material: 0,
+    }])
     .with_size(size, size)
 }
 
@@ -86,4 +122,41 @@ pub fn assert_same_bits(left: &Frame, right: &Frame) {
         (0, 0, 0),
         "{comparison:#?}"
     );
+}
+
+/// Renders with each choice of volumes and without, on both backends and in both
+/// widths, and compares all layers.
+pub fn assert_bounds_change_nothing(scene: &Scene, choices: &[Bounds]) {
+    let gpu = Backend::Gpu(Box::new(gpu()));
+    let cpu = Backend::Cpu(None);
+    let on = |backend: &Backend, accuracy, bounds| {
+        let settings = Settings { accuracy, bounds };
+        rayproof::render(scene, backend, settings, &Unwatched)
+            .unwrap()
+            .frame
+    };
+    let reference = on(&cpu, Accuracy::Robust, Bounds::None);
+    let double = on(&cpu, Accuracy::Double, Bounds::None);
+    for &bounds in choices {
+        assert_same_bits(&reference, &on(&cpu, Accuracy::Robust, bounds));
+        assert_same_bits(&reference, &on(&gpu, Accuracy::Robust, bounds));
+        assert_same_bits(&double, &on(&cpu, Accuracy::Double, bounds));
+    }
+}
+
+/// Pixels that differ between brute force and the volumes, on the CPU.
+pub fn changed<R: Real>(scene: &Scene, bounds: Bounds) -> usize {
+    let plain = flatten::<R>(scene);
+    let mut bounded = plain.clone();
+    bound(&mut bounded, bounds);
+    let without_tests = |pixel: Pixel| Pixel { tests: 0, ..pixel };
+    let [width, height] = plain.size;
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    pixels
+        .filter(|&(x, y)| {
+            let with = trace_pixel(&bounded, x, y);
+            assert_ne!(with.tests, GIVEN_UP);
+            without_tests(trace_pixel(&plain, x, y)) != without_tests(with)
+        })
+        .count()
 }

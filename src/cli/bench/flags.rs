@@ -77,25 +77,15 @@ impl BenchArguments {
     }
 
     /// The volumes to measure.
-    ///
-    /// # Errors
-    ///
-    /// None, for levels go only to what has them.
-    pub(super) fn bounds(&self) -> Result<Vec<Bounds>> {
+    pub(super) fn bounds(&self) -> Vec<Bounds> {
         let all = BoundsChoice::value_variants();
         let chosen = if self.bounds.is_empty() {
             all
         } else {
             &self.bounds
         };
-        let levels = |choice: &BoundsChoice| {
-            let leveled = matches!(choice, BoundsChoice::Spheres | BoundsChoice::Boxes);
-            leveled.then_some(self.levels)
-        };
-        chosen
-            .iter()
-            .map(|choice| choice.bounds(levels(choice)))
-            .collect()
+        let levels = self.levels;
+        chosen.iter().map(|choice| choice.bounds(levels)).collect()
     }
 
     /// Opens the GPU adapter, where one is to be measured.
