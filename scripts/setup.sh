@@ -58,7 +58,7 @@ apt_install() {
 }
 
 need_rust() {
-    have cargo || give_up "there is no cargo: install Rust 1.88 or later, see https://rustup.rs"
+    have cargo || give_up "there is no cargo: install Rust 1.90 or later, see https://rustup.rs"
 }
 
 need_make() {

@@ -35,6 +35,14 @@ fn shade_miss(ray: Ray, hit: Hit) -> Pixel {
     return Pixel(color, 0.0, vec3<f32>(), NO_HIT, vec3<f32>(), hit.tests);
 }
 
+// What the ray sees.
+fn shade(ray: Ray, hit: Hit) -> Pixel {
+    if hit.id == NO_HIT {
+        return shade_miss(ray, hit);
+    }
+    return shade_hit(ray, hit);
+}
+
 // The bits 0, 2 and 4 of an index, moved together: one coordinate of a place on
 // Morton's curve, the other being that of half the index.
 fn even_bits(index: u32) -> u32 {
@@ -99,9 +107,5 @@ fn shade_tile(
     let index = at.y * dispatch.size.x + at.x;
     let hit = hit_at(index);
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
-    if hit.id == NO_HIT {
-        pixels[index] = shade_miss(ray, hit);
-    } else {
-        pixels[index] = shade_hit(ray, hit);
-    }
+    pixels[index] = shade(ray, hit);
 }

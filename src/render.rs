@@ -211,14 +211,7 @@ pub fn count(
             cpu::count(&bounded::<f64>(scene, settings), *threads, watch)
         }
         (Backend::Gpu(gpu), Accuracy::Robust) => {
-            let portions = Portions {
-                count: true,
-                ..Portions::default()
-            };
-            let flat = bounded::<f32>(scene, settings);
-            let mut prepared = gpu::render::Prepared::new(gpu, &flat, portions)?;
-            prepared.run(watch, &mut |_, _| {})?;
-            Ok(prepared.counters().unwrap_or_default())
+            gpu::render::count(gpu, &bounded::<f32>(scene, settings), watch)
         }
         (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
     }

@@ -3,6 +3,7 @@
 pub(super) mod flags;
 mod results;
 
+use std::num::NonZeroUsize;
 use std::time::Instant;
 
 use self::flags::BenchArguments;
@@ -13,13 +14,14 @@ use super::progress::Progress;
 use super::report;
 use rayproof::bounds::{self, Bounds};
 use rayproof::compare::{Tolerance, compare_frames};
+use rayproof::count::Counters;
 use rayproof::cpu;
 use rayproof::error::{Error, Result};
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
 use rayproof::frame::Frame;
 use rayproof::gpu::device::Gpu;
-use rayproof::gpu::render::{self as gpu, Portions};
+use rayproof::gpu::render::{self as gpu, Portions, Seconds};
 use rayproof::layout::Pixel;
 use rayproof::measure::{Plan, Spread, Times, Turn, interleave};
 use rayproof::scene::Scene;
@@ -52,6 +54,12 @@ pub(super) fn run(arguments: &BenchArguments, common: &Common) -> Result<Outcome
         }
     }
     let times = measure(&mut cases, &scene, &plan, common)?;
+    if arguments.count {
+        for case in &mut cases {
+            let progress = Progress::new(common, format!("{}, counting", case.name()));
+            case.counters = Some(case.tracer.count(case.scene, &progress)?);
+        }
+    }
 
     let results = Results {
         scene: arguments.scene.display().to_string(),
@@ -111,14 +119,36 @@ enum Tracer<'a> {
 
 impl<'a> Tracer<'a> {
     fn on_gpu(device: &'a Gpu, scene: &'a BoundedScene) -> Result<Self> {
-        let prepared = gpu::Prepared::new(device, &scene.flat, Portions::default())?;
+        let portions = Portions {
+            time: true,
+            ..Portions::default()
+        };
+        let prepared = gpu::Prepared::new(device, &scene.flat, portions)?;
         Ok(Self::Gpu(device, Box::new(prepared)))
     }
 
-    fn run(&mut self, watch: &dyn Watch, keep: &mut dyn FnMut(u32, &[Pixel])) -> Result<()> {
+    /// Traces a picture; gives the seconds of the device's clock, if there is one.
+    fn run(
+        &mut self,
+        watch: &dyn Watch,
+        keep: &mut dyn FnMut(u32, &[Pixel]),
+    ) -> Result<Option<Seconds>> {
         match self {
-            Self::Cpu(prepared) => prepared.run(watch, keep),
-            Self::Gpu(_, prepared) => prepared.run(watch, keep),
+            Self::Cpu(prepared) => prepared.run(watch, keep).map(|()| None),
+            Self::Gpu(_, prepared) => {
+                prepared.run(watch, keep)?;
+                Ok(prepared.seconds())
+            }
+        }
+    }
+
+    /// Counts what the rays test, in a run of its own.
+    fn count(&self, scene: &BoundedScene, watch: &dyn Watch) -> Result<Counters> {
+        match self {
+            Self::Cpu(prepared) => {
+                cpu::count(&scene.flat, NonZeroUsize::new(prepared.threads()), watch)
+            }
+            Self::Gpu(device, _) => gpu::count(device, &scene.flat, watch),
         }
     }
 }
@@ -129,6 +159,9 @@ struct Case<'a> {
     tracer: Tracer<'a>,
     /// Pixels by which its worst picture differed from the first case's.
     different_pixels: u64,
+    /// Of each run that counts, on a device with a clock.
+    device_seconds: Vec<Seconds>,
+    counters: Option<Counters>,
 }
 
 impl<'a> Case<'a> {
@@ -137,6 +170,8 @@ impl<'a> Case<'a> {
             scene,
             tracer,
             different_pixels: 0,
+            device_seconds: Vec::new(),
+            counters: None,
         }
     }
 
@@ -161,26 +196,39 @@ impl<'a> Case<'a> {
         }
     }
 
-    /// What the progress of a run is called.
-    fn label(&self, turn: Turn) -> String {
+    fn name(&self) -> String {
         let threads = match self.threads() {
             Some(threads) => format!(" on {threads} threads"),
             None => String::new(),
         };
+        format!("{}{threads}, {}", self.backend(), self.scene.bounds.name())
+    }
+
+    /// What the progress of a run is called.
+    fn label(&self, turn: Turn) -> String {
         let run = if turn.warm_up { "warm-up" } else { "run" };
-        let (backend, bounds) = (self.backend(), self.scene.bounds.name());
-        format!("{backend}{threads}, {bounds}, {run} {}", turn.number)
+        format!("{}, {run} {}", self.name(), turn.number)
+    }
+
+    /// The median of a part of the device's seconds, in milliseconds.
+    fn device_ms(&self, part: fn(&Seconds) -> f64) -> Option<Spread> {
+        let seconds: Vec<f64> = self.device_seconds.iter().map(part).collect();
+        (!seconds.is_empty()).then(|| Spread::of(&seconds).times(1e3))
     }
 
     /// Traces a picture into `frame` and gives the seconds that it took, reading
     /// it back included.
-    fn trace(&mut self, frame: &mut Frame, watch: &dyn Watch) -> Result<f64> {
+    fn trace(&mut self, turn: Turn, frame: &mut Frame, watch: &dyn Watch) -> Result<f64> {
         let mut complete = true;
         let started = Instant::now();
-        self.tracer.run(watch, &mut |row, pixels| {
+        let by_device = self.tracer.run(watch, &mut |row, pixels| {
             complete &= frame.keep_rows(row, pixels);
         })?;
         let seconds = started.elapsed().as_secs_f64();
+        if turn.warm_up {
+            self.device_seconds.clear();
+        }
+        self.device_seconds.extend(by_device);
         if complete {
             return Ok(seconds);
         }
@@ -203,7 +251,7 @@ fn measure(
     interleave(plan, cases.len(), &mut |turn| {
         let case = &mut cases[turn.job];
         let progress = Progress::new(common, case.label(turn));
-        let seconds = case.trace(&mut frame, &progress)?;
+        let seconds = case.trace(turn, &mut frame, &progress)?;
         drop(progress);
         match &first {
             None => first = Some(frame.clone()),
@@ -229,6 +277,11 @@ fn rows(cases: &[Case<'_>], times: &[Times], scene: &Scene) -> Vec<Row> {
             let speedup = without.map(|index| own.speedup_over(&times[index]));
             let against_first = own.speedup_over(&times[0]);
             let trace_ms = Spread::of(&own.seconds).times(1e3);
+            let search = |case: &Case<'_>| case.device_ms(|seconds| seconds.trace);
+            let search_speedup = without
+                .and_then(|index| search(&cases[index]))
+                .zip(search(case))
+                .map(|(without, own)| without.median / own.median);
             Row {
                 backend: case.backend(),
                 adapter: case.adapter().map(str::to_string),
@@ -244,8 +297,13 @@ fn rows(cases: &[Case<'_>], times: &[Times], scene: &Scene) -> Vec<Row> {
                 speedup_range: speedup.and_then(|ratio| ratio.range),
                 against_first: against_first.median,
                 against_first_range: against_first.range,
+                search_ms: search(case).map(|spread| spread.median),
+                search_speedup,
+                shade_ms: case
+                    .device_ms(|seconds| seconds.shade)
+                    .map(|spread| spread.median),
                 build_ms: case.scene.build.median * 1e3,
-                counters: None,
+                counters: case.counters,
                 equal: case.different_pixels == 0,
                 different_pixels: case.different_pixels,
             }

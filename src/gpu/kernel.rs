@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::device::Gpu;
 use super::program::{Access, Binding, Program};
+use super::timestamps::Clock;
 use crate::error::{Error, Result};
 
 impl Gpu {
@@ -180,7 +181,8 @@ impl Kernel {
         }))
     }
 
-    /// Runs one entry point over `workgroups`, and waits for it.
+    /// Runs one entry point over `workgroups`, and waits for it; gives the seconds
+    /// that it took by `clock`, or 0 without one.
     ///
     /// # Errors
     ///
@@ -191,21 +193,29 @@ impl Kernel {
         entry: &str,
         groups: &[&wgpu::BindGroup],
         workgroups: [u32; 2],
-    ) -> Result<()> {
+        clock: Option<&Clock>,
+    ) -> Result<f64> {
         let pipeline = self
             .pipelines
             .get(entry)
             .ok_or_else(|| Error::Shader(format!("no entry point `{entry}`")))?;
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         {
-            let mut pass = encoder.begin_compute_pass(&Default::default());
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: None,
+                timestamp_writes: clock.map(Clock::of_pass),
+            });
             pass.set_pipeline(pipeline);
             for (index, group) in groups.iter().enumerate() {
                 pass.set_bind_group(index as u32, *group, &[]);
             }
             pass.dispatch_workgroups(workgroups[0], workgroups[1], 1);
         }
+        if let Some(clock) = clock {
+            clock.resolve(&mut encoder);
+        }
         gpu.queue.submit([encoder.finish()]);
-        gpu.wait()
+        gpu.wait()?;
+        clock.map_or(Ok(0.0), |clock| clock.seconds(gpu))
     }
 }

@@ -23,4 +23,5 @@ pub mod source;
 mod spirv;
 mod stage;
 mod tile;
+mod timestamps;
 mod upload;

@@ -39,6 +39,17 @@ pub struct Portions {
     pub fetch: Option<Fetch>,
     /// Whether volumes and shapes are counted, see [`Prepared::counters`].
     pub count: bool,
+    /// Whether the device times the passes, see [`Prepared::seconds`].
+    pub time: bool,
+}
+
+/// How long the passes of a picture took, by the device's own clock.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Seconds {
+    /// Those in which the closest hits are found.
+    pub trace: f64,
+    /// Those in which what was hit is coloured.
+    pub shade: f64,
 }
 
 impl Default for Portions {
@@ -47,6 +58,7 @@ impl Default for Portions {
             primitives_per_dispatch: PRIMITIVES_PER_DISPATCH,
             fetch: None,
             count: false,
+            time: false,
         }
     }
 }
@@ -66,6 +78,21 @@ pub fn render(
     Prepared::new(gpu, flat, portions)?.run(watch, keep_rows)
 }
 
+/// Counts what the rays of a picture test, with shaders that count.
+///
+/// # Errors
+///
+/// As [`render`].
+pub fn count(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch) -> Result<Counters> {
+    let portions = Portions {
+        count: true,
+        ..Portions::default()
+    };
+    let mut prepared = Prepared::new(gpu, flat, portions)?;
+    prepared.run(watch, &mut |_, _| {})?;
+    Ok(prepared.counters.unwrap_or_default())
+}
+
 /// A scene on a device, uploaded and its shaders compiled: ready to be traced,
 /// any number of times.
 pub struct Prepared<'a> {
@@ -76,6 +103,7 @@ pub struct Prepared<'a> {
     stage: Stage,
     pace: Pace,
     counters: Option<Counters>,
+    seconds: Option<Seconds>,
 }
 
 impl<'a> Prepared<'a> {
@@ -96,7 +124,7 @@ impl<'a> Prepared<'a> {
         let program = Program::build(&shader_files(&flat.counts(), device))?;
         let kernel = gpu.compile(&program)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
-        let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables, portions.count)?;
+        let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables, portions)?;
         let pace = Pace::new(
             flat.size,
             tests_per_ray(flat),
@@ -108,6 +136,7 @@ impl<'a> Prepared<'a> {
             flat,
             fetch,
             kernel,
+            seconds: stage.has_clock().then(Seconds::default),
             stage,
             pace,
             counters: portions.count.then(Counters::default),
@@ -122,6 +151,12 @@ impl<'a> Prepared<'a> {
     /// What the rays of the last run tested, where that is counted.
     pub fn counters(&self) -> Option<Counters> {
         self.counters
+    }
+
+    /// How long the last run's passes took, where that is timed and the device has a
+    /// clock.
+    pub fn seconds(&self) -> Option<Seconds> {
+        self.seconds
     }
 
     fn has_tree(&self) -> bool {
@@ -147,6 +182,7 @@ impl<'a> Prepared<'a> {
     ) -> Result<()> {
         self.pace.start_anew();
         let mut counters = self.counters.map(|_| Counters::default());
+        let mut seconds = Seconds::default();
         let height = self.flat.size[1];
         let mut first_row = 0;
         while first_row < height {
@@ -156,9 +192,10 @@ impl<'a> Prepared<'a> {
                 rows,
                 spread: self.gpu.adapter.is_software(),
             };
-            self.trace(tile, watch)?;
+            seconds.trace += self.trace(tile, watch)?;
             let orders = tile.orders(self.flat, 0..0);
-            self.stage
+            seconds.shade += self
+                .stage
                 .dispatch(self.gpu, &self.kernel, "shade_tile", &orders)?;
             let mut checked = Ok(());
             let pixels = self.flat.size[0] * rows;
@@ -184,16 +221,19 @@ impl<'a> Prepared<'a> {
             first_row += rows;
         }
         self.counters = counters;
+        self.seconds = self.seconds.map(|_| seconds);
         Ok(())
     }
 
     /// Finds the tile's closest hits: through the tree in one dispatch, else by one
     /// for each run of primitives, or of entries and primitives of the list of
     /// volumes. An empty scene gets one dispatch too, which notes that nothing is hit.
-    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<()> {
+    /// Gives the seconds by the device's clock.
+    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<f64> {
         let total = tests_per_ray(self.flat);
         let pixels = self.flat.size[0] * tile.rows;
         let mut begin = 0;
+        let mut seconds = 0.0;
         loop {
             if watch.cancelled() {
                 return Err(Error::Interrupted);
@@ -211,13 +251,14 @@ impl<'a> Prepared<'a> {
                 tile.orders(self.flat, begin..end)
             };
             let started = Instant::now();
-            self.stage
+            seconds += self
+                .stage
                 .dispatch(self.gpu, &self.kernel, "trace_tile", &orders)?;
             self.pace.learn(pixels, end - begin, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;
             if begin >= total {
-                return Ok(());
+                return Ok(seconds);
             }
         }
     }

@@ -233,7 +233,9 @@ pub(super) fn run(
     let group = kernel.bind(gpu, 0, |name| {
         buffers.get(name).map(|buffer| buffer.as_entire_binding())
     })?;
-    kernel.run(gpu, entry, &[&group], [workgroups, 1])
+    kernel
+        .run(gpu, entry, &[&group], [workgroups, 1], None)
+        .map(|_| ())
 }
 
 pub(super) fn read<T: Pod>(gpu: &Gpu, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<T>> {

@@ -7,6 +7,8 @@ use wgpu::BufferUsages;
 use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::SceneMemory;
+use super::render::Portions;
+use super::timestamps::Clock;
 use crate::error::Result;
 use crate::flat::Flat;
 use crate::layout::{Dispatch, HitRecord, Pixel, Tables};
@@ -26,6 +28,8 @@ pub(super) struct Stage {
     counts: wgpu::Buffer,
     /// Where pixels are copied to be read; none where they can be read in place.
     staging: Option<wgpu::Buffer>,
+    /// None where the passes are not timed, or cannot be.
+    clock: Option<Clock>,
 }
 
 impl Stage {
@@ -40,7 +44,7 @@ impl Stage {
         kernel: &Kernel,
         scene: &SceneMemory,
         tables: &Tables,
-        count: bool,
+        portions: Portions,
     ) -> Result<Self> {
         let pixel_limit = gpu.limits.max_storage_buffer_binding_size / size_of::<Pixel>() as u64;
         let max_pixels = u64::from(PIXELS_PER_TILE).min(pixel_limit) as u32;
@@ -60,7 +64,7 @@ impl Stage {
             working
         };
         let pixels = gpu.create_buffer("pixels", pixel_bytes, readable)?;
-        let counted = if count { tile } else { 0 };
+        let counted = if portions.count { tile } else { 0 };
         let count_bytes = counted * size_of::<[u32; 2]>() as u64;
         let counts = gpu.create_buffer("counts", count_bytes, working)?;
         let staging = (!in_place).then(|| gpu.create_buffer("staging", pixel_bytes, staged));
@@ -101,10 +105,17 @@ impl Stage {
             pixels,
             counts,
             staging: staging.transpose()?,
+            clock: if portions.time { Clock::of(gpu)? } else { None },
         })
     }
 
-    /// Runs one entry point over a tile, and waits.
+    /// Whether the passes are timed.
+    pub(super) fn has_clock(&self) -> bool {
+        self.clock.is_some()
+    }
+
+    /// Runs one entry point over a tile, and waits; gives the seconds as
+    /// [`Kernel::run`].
     ///
     /// # Errors
     ///
@@ -115,7 +126,7 @@ impl Stage {
         kernel: &Kernel,
         entry: &str,
         orders: &Dispatch,
-    ) -> Result<()> {
+    ) -> Result<f64> {
         gpu.queue
             .write_buffer(&self.dispatch, 0, bytemuck::bytes_of(orders));
         kernel.run(
@@ -123,6 +134,7 @@ impl Stage {
             entry,
             &[&self.frame, &self.scene],
             [orders.workgroups, 1],
+            self.clock.as_ref(),
         )
     }
 

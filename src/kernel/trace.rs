@@ -69,14 +69,18 @@ pub fn shade_miss<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
     }
 }
 
+/// What the ray sees.
+pub fn shade<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
+    if hit.id == NO_HIT {
+        return shade_miss(flat, ray, hit);
+    }
+    shade_hit(flat, ray, hit)
+}
+
 /// Everything known of pixel (x, y), y downward from the top row.
 pub fn trace_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Pixel {
     let ray = camera_ray(&flat.camera, flat.size, x, y);
     let mut hit = no_hit();
     find_hit(flat, probe_of(ray), &mut hit);
-    if hit.id == NO_HIT {
-        shade_miss(flat, ray, hit)
-    } else {
-        shade_hit(flat, ray, hit)
-    }
+    shade(flat, ray, hit)
 }

@@ -27,14 +27,12 @@ pub fn triangle_of<R: Real>(flat: &Flat<R>, corners: Corners) -> Triangle<R> {
     }
 }
 
-/// Tests the triangle in a row of the table, within its own box.
+/// The t at which the ray meets the triangle within its own box, or `MISS`.
 #[inline]
-pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
-    let corners = flat.triangles[row as usize];
-    let triangle = triangle_of(flat, corners);
-    let mut t = intersect_triangle(probe.ray, probe.shear, &triangle);
+pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> R {
+    let t = intersect_triangle(probe.ray, probe.shear, triangle);
     if t < R::MISS {
-        t = clamp_to_box(
+        return clamp_to_box(
             probe.slabs,
             triangle_box(
                 Vec3::from(triangle.a).to_f32(),
@@ -44,6 +42,14 @@ pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &m
             t,
         );
     }
+    t
+}
+
+/// Tests the triangle in a row of the table.
+#[inline]
+pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
+    let corners = flat.triangles[row as usize];
+    let t = meet_triangle(probe, &triangle_of(flat, corners));
     if may_be_closest(hit, t) {
         keep_nearer(hit, t, corners.id, row);
     }

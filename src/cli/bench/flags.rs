@@ -44,6 +44,9 @@ pub(in crate::cli) struct BenchArguments {
     /// Levels of spheres or boxes
     #[arg(long, value_name = "N", default_value_t = ONE_LEVEL, value_parser = parse_levels)]
     levels: u32,
+    /// Count what the rays test, in a run of its own
+    #[arg(long)]
+    pub(super) count: bool,
     /// Numbers of threads of the CPU path, side by side; one for each core if not given
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_threads)]
     threads: Vec<NonZeroUsize>,

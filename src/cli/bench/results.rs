@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::cli::report::table;
 use rayproof::bounds::Bounds;
+use rayproof::count::Counters;
 
 /// The result of one call.
 #[derive(Debug, Serialize)]
@@ -39,14 +40,19 @@ pub(super) struct Row {
     /// Over the first configuration.
     pub(super) against_first: f64,
     pub(super) against_first_range: Option<[f64; 2]>,
+    /// By the device's clock: the passes in which closest hits are found.
+    pub(super) search_ms: Option<f64>,
+    /// Of those, over `none`.
+    pub(super) search_speedup: Option<f64>,
+    /// By the device's clock: the passes in which what was hit is coloured.
+    pub(super) shade_ms: Option<f64>,
     pub(super) build_ms: f64,
-    /// Not counted yet.
-    pub(super) counters: Option<()>,
+    pub(super) counters: Option<Counters>,
     pub(super) equal: bool,
     pub(super) different_pixels: u64,
 }
 
-const HEAD: [&str; 11] = [
+const HEAD: [&str; 13] = [
     "backend",
     "threads",
     "bounds",
@@ -57,6 +63,8 @@ const HEAD: [&str; 11] = [
     "Mrays/s",
     "x none",
     "x first",
+    "search ms",
+    "x none",
     "build ms",
 ];
 
@@ -80,7 +88,10 @@ impl Results {
         rows.extend(adapter.map(|adapter| ("adapter", adapter)));
         rows.push((
             "measured",
-            format!("wall time of tracing alone; {warmup} + {runs} runs, interleaved"),
+            format!(
+                "wall time of a picture; search by the device's clock; \
+                 {warmup} + {runs} runs, interleaved"
+            ),
         ));
         let mut text = table(&rows) + "\n" + &columns(HEAD, self.runs.iter().map(Row::cells));
         text += "\n";
@@ -108,7 +119,7 @@ impl Results {
 }
 
 impl Row {
-    fn cells(&self) -> [String; 11] {
+    fn cells(&self) -> [String; 13] {
         let mark = if self.from_warm_up { "*" } else { "" };
         let speedup = match (self.speedup, self.speedup_range) {
             (Some(ratio), Some([min, max])) => format!("{ratio:.2} ({min:.2}-{max:.2})"),
@@ -126,9 +137,15 @@ impl Row {
             format!("{:.3}", self.mrays_per_s),
             speedup,
             format!("{:.2}", self.against_first),
+            or_dash(self.search_ms),
+            or_dash(self.search_speedup),
             format!("{:.2}", self.build_ms),
         ]
     }
+}
+
+fn or_dash(number: Option<f64>) -> String {
+    number.map_or("-".into(), |number| format!("{number:.2}"))
 }
 
 /// Columns side by side, each as wide as it must be, flush right but the first.

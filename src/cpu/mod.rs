@@ -1,11 +1,17 @@
 //! The CPU tracer: threads over the kernel.
 
+pub mod block;
+pub mod search;
+pub mod wide;
+
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use self::search::Search;
+use self::wide::Wide;
 use crate::count::Counters;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -13,7 +19,7 @@ use crate::kernel::camera::camera_ray;
 use crate::kernel::hit::no_hit;
 use crate::kernel::probe::probe_of;
 use crate::kernel::real::Real;
-use crate::kernel::trace::{find_hit, trace_pixel};
+use crate::kernel::trace::{find_hit, shade};
 use crate::layout::Pixel;
 use crate::watch::Watch;
 
@@ -43,7 +49,8 @@ pub fn render<R: Real>(
     Prepared::new(flat, threads)?.run(watch, keep_rows)
 }
 
-/// Counts what the rays of a picture test.
+/// Counts what the rays of a picture test. They go through the volumes as the
+/// shader's rays do, not by way of [`Search`], so the counts are the same.
 ///
 /// # Errors
 ///
@@ -77,7 +84,7 @@ pub fn count<R: Real>(
         watch.progress(done as f64 / f64::from(height));
         Ok(row)
     };
-    Prepared::new(flat, threads)?.pool.install(|| {
+    pool_of(threads)?.install(|| {
         (0..height)
             .into_par_iter()
             .map(count_row)
@@ -85,31 +92,37 @@ pub fn count<R: Real>(
     })
 }
 
+fn pool_of(threads: Option<NonZeroUsize>) -> Result<ThreadPool> {
+    if let Some(threads) = threads.filter(|threads| threads.get() > MAX_THREADS) {
+        return Err(Error::Limit(format!(
+            "{threads} threads are asked for, {MAX_THREADS} are the most"
+        )));
+    }
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.map_or(0, NonZeroUsize::get))
+        .build()
+        .map_err(|error| Error::Limit(error.to_string()))
+}
+
 /// A scene and the threads that wait for it: ready to be traced, any number of
 /// times.
 pub struct Prepared<'a, R> {
     flat: &'a Flat<R>,
+    wide: Option<Wide<R>>,
     pool: ThreadPool,
 }
 
 impl<'a, R: Real> Prepared<'a, R> {
-    /// Starts `threads` threads, or one for each core.
+    /// Starts `threads` threads, or one for each core, and widens the scene's tree.
     ///
     /// # Errors
     ///
     /// [`Error::Limit`] when no threads can be had or more than [`MAX_THREADS`]
     /// are asked for.
     pub fn new(flat: &'a Flat<R>, threads: Option<NonZeroUsize>) -> Result<Self> {
-        if let Some(threads) = threads.filter(|threads| threads.get() > MAX_THREADS) {
-            return Err(Error::Limit(format!(
-                "{threads} threads are asked for, {MAX_THREADS} are the most"
-            )));
-        }
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.map_or(0, NonZeroUsize::get))
-            .build()
-            .map_err(|error| Error::Limit(error.to_string()))?;
-        Ok(Self { flat, pool })
+        let pool = pool_of(threads)?;
+        let wide = (!flat.pairs.is_empty()).then(|| pool.install(|| Wide::new(flat)));
+        Ok(Self { flat, wide, pool })
     }
 
     /// How many threads there are.
@@ -128,6 +141,7 @@ impl<'a, R: Real> Prepared<'a, R> {
         let band = ROWS_PER_THREAD * self.threads() as u32;
         let pixels_done = AtomicU64::new(0);
         let total = u64::from(width) * u64::from(height);
+        let search = || Search::new(self.flat, self.wide.as_ref());
         let mut first_row = 0;
         while first_row < height {
             let rows = band.min(height - first_row);
@@ -136,13 +150,16 @@ impl<'a, R: Real> Prepared<'a, R> {
                 pixels
                     .par_chunks_mut(STRETCH)
                     .enumerate()
-                    .try_for_each(|(stretch, pixels)| {
+                    .try_for_each_init(search, |search, (stretch, pixels)| {
                         if watch.cancelled() {
                             return Err(Error::Interrupted);
                         }
                         for (index, pixel) in (stretch * STRETCH..).zip(pixels.iter_mut()) {
                             let (x, y) = (index as u32 % width, first_row + index as u32 / width);
-                            *pixel = trace_pixel(self.flat, x, y);
+                            let ray = camera_ray(&self.flat.camera, self.flat.size, x, y);
+                            let mut hit = no_hit();
+                            search.find(probe_of(ray), &mut hit);
+                            *pixel = shade(self.flat, ray, hit);
                         }
                         let count = pixels.len() as u64;
                         let done = pixels_done.fetch_add(count, Ordering::Relaxed) + count;
