@@ -112,7 +112,9 @@ fn plane<R: Width>(bencher: Bencher<'_, '_>) {
     let flat = R::shapes();
     let plane = &flat.planes[0];
     let (point, normal) = (Vec3::from(plane.point), Vec3::from(plane.normal));
-    each(bencher, flat, |probe| intersect_plane(probe.ray, point, normal));
+    each(bencher, flat, |probe| {
+        intersect_plane(probe.ray, point, normal)
+    });
 }
 
 #[divan::bench(types = [f32, f64])]
@@ -135,7 +137,9 @@ fn triangle<R: Width>(bencher: Bencher<'_, '_>) {
 #[divan::bench(types = [f32, f64])]
 fn bounding_ball<R: Width>(bencher: Bencher<'_, '_>) {
     let flat = R::shapes();
-    each(bencher, flat, |probe| meets_ball(probe.ray, &flat.spheres[0]));
+    each(bencher, flat, |probe| {
+        meets_ball(probe.ray, &flat.spheres[0])
+    });
 }
 
 /// In f32 in both widths.
@@ -144,7 +148,9 @@ fn bounding_box(bencher: Bencher<'_, '_>) {
     let flat = f32::shapes();
     let sphere = &flat.spheres[0];
     let own = ball_box(Vec3::from(sphere.center), sphere.radius);
-    each(bencher, flat, |probe| clip_to_box(probe.slabs, own.low, own.high));
+    each(bencher, flat, |probe| {
+        clip_to_box(probe.slabs, own.low, own.high)
+    });
 }
 
 /// The closest hit in a knot of 100,000 triangles, as the shader searches.
@@ -160,14 +166,16 @@ fn search_wide<R: Width>(bencher: Bencher<'_, '_>) {
     bound(&mut flat, Bounds::Tree);
     let wide = Wide::new(&flat);
     let probes = probes(&flat);
-    bencher.counter(ItemsCount::new(probes.len())).bench_local(|| {
-        let mut search = Search::new(&flat, Some(&wide));
-        for &probe in &probes {
-            let mut hit = no_hit();
-            search.find(black_box(probe), &mut hit);
-            black_box(hit);
-        }
-    });
+    bencher
+        .counter(ItemsCount::new(probes.len()))
+        .bench_local(|| {
+            let mut search = Search::new(&flat, Some(&wide));
+            for &probe in &probes {
+                let mut hit = no_hit();
+                search.closest(black_box(probe), &mut hit);
+                black_box(hit);
+            }
+        });
 }
 
 /// The closest hit among the shapes, without volumes.

@@ -7,6 +7,7 @@
 mod peers {
     pub mod bvh;
     pub mod obvhs;
+    pub mod plain;
     pub mod rayproof;
 }
 
@@ -14,15 +15,17 @@ use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
 
+use rayon::ThreadPool;
 use rayon::prelude::*;
 use rayproof::Scene;
 use rayproof::bounds::{Bounds, bound};
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
+use rayproof::gpu::device::Gpu;
 use rayproof::kernel::camera::{Ray, camera_ray};
 use rayproof::kernel::triangles::triangle_of;
 use rayproof::layout::Triangle;
-use rayproof::measure::{Plan, Spread, interleave};
+use rayproof::measure::{Plan, Spread, Times, interleave};
 use rayproof::scene::mesh::{self, Builtin};
 use rayproof::scene::{Geometry, Material, Shape, Transform};
 
@@ -32,10 +35,16 @@ pub type Found = (f32, u32);
 /// Finds the closest hits of some rays.
 pub type Trace<'a> = Box<dyn Fn(&[Ray<f32>], &mut [Found]) + Sync + 'a>;
 
+/// Finds the closest hits of a picture on a device, and gives the seconds of the search.
+pub type Search<'a> = Box<dyn FnMut(&mut [Found]) -> Outcome<f64> + 'a>;
+
+/// Whatever may go wrong.
+pub type Outcome<T> = Result<T, Box<dyn Error>>;
+
 /// Rays that a thread takes at once.
 const SHARE: usize = 500;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Outcome<()> {
     let mut runs = 9;
     let mut scenes = Vec::new();
     let mut arguments = std::env::args().skip(1);
@@ -77,7 +86,7 @@ fn knot(detail: u32) -> Scene {
     scene
 }
 
-fn compare(name: &str, scene: &Scene, runs: u32) -> Result<(), Box<dyn Error>> {
+fn compare(name: &str, scene: &Scene, runs: u32) -> Outcome<()> {
     let plain = flatten::<f32>(scene);
     let triangles: Vec<_> = plain
         .triangles
@@ -85,45 +94,61 @@ fn compare(name: &str, scene: &Scene, runs: u32) -> Result<(), Box<dyn Error>> {
         .map(|&corners| triangle_of(&plain, corners))
         .collect();
     let rays = rays_of(&plain);
-    println!("\n{name}: {} triangles, {} rays", triangles.len(), rays.len());
+    println!(
+        "\n{name}: {} triangles, {} rays",
+        triangles.len(),
+        rays.len()
+    );
     let mut bounded = plain.clone();
     timed("rayproof's tree", || bound(&mut bounded, Bounds::Tree));
-    let contenders = contenders(&bounded, &triangles);
-    println!("{:>28} {:>8} {:>22} {:>7} {:>6}", "Mrays/s", "threads", "min to max", "hits", "ratio");
-    for threads in [1, 2] {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let gpu = Gpu::open(None)?;
+    let mut contenders = contenders(&gpu, &bounded, &triangles)?;
+    let cores = std::thread::available_parallelism()?.get();
+    for threads in [1, cores] {
+        println!(
+            "\n{:>20} {:>8} {:>8} {:>8} {:>8} {:>8}",
+            "", "threads", "Mrays/s", "least", "most", "ratio"
+        );
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()?;
+        let mut found = vec![vec![(0.0, 0); rays.len()]; contenders.len()];
         let plan = Plan {
             warm_ups: 1,
             runs,
             budget: f64::INFINITY,
         };
-        let mut found = vec![vec![(0.0, 0); rays.len()]; contenders.len()];
-        let times = interleave(&plan, contenders.len(), &mut |turn| {
-            let (_, trace) = &contenders[turn.job];
-            let started = Instant::now();
-            pool.install(|| {
-                rays.par_chunks(SHARE)
-                    .zip(found[turn.job].par_chunks_mut(SHARE))
-                    .for_each(|(rays, found)| trace(rays, found));
-            });
-            Ok(started.elapsed().as_secs_f64())
+        // A software driver takes all cores.
+        let racing: Vec<usize> = (0..contenders.len())
+            .filter(|&index| threads == cores || !contenders[index].needs_all_cores())
+            .collect();
+        let times = interleave(&plan, racing.len(), &mut |turn| {
+            let index = racing[turn.job];
+            contenders[index]
+                .run(&pool, &rays, &mut found[index])
+                .map_err(|error| rayproof::Error::DeviceLost(error.to_string()))
         })?;
-        let best_peer = (2..contenders.len())
-            .map(|peer| Spread::of(&times[peer].seconds).median)
+        let median = |times: &Times| Spread::of(&times.seconds).median;
+        let best_peer = racing
+            .iter()
+            .zip(&times)
+            .filter(|(index, _)| contenders[**index].label.starts_with("obvhs"))
+            .map(|(_, times)| median(times))
             .fold(f64::INFINITY, f64::min);
-        for (((label, _), times), found) in contenders.iter().zip(&times).zip(&found) {
+        for (&index, times) in racing.iter().zip(&times) {
             let spread = Spread::of(&times.seconds);
             let rate = |seconds: f64| rays.len() as f64 / seconds / 1e6;
-            let hits = found.iter().filter(|(t, _)| t.is_finite()).count();
             println!(
-                "{label:>20} {:>7.2} {threads:>8} {:>11.2} to {:>7.2} {hits:>7} {:>6.2}",
+                "{:>20} {threads:>8} {:>8.2} {:>8.2} {:>8.2} {:>8.2}",
+                contenders[index].label,
                 rate(spread.median),
                 rate(spread.max),
                 rate(spread.min),
                 best_peer / spread.median,
             );
         }
-        for (peer, (label, _)) in contenders.iter().enumerate().skip(1) {
+        for &peer in &racing[1..] {
+            let label = contenders[peer].label;
             let different = disagreements(&found[0], &found[peer]);
             // Edges: they are not watertight, or pick another of two at the same t.
             assert!(
@@ -135,22 +160,78 @@ fn compare(name: &str, scene: &Scene, runs: u32) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn contenders<'a>(flat: &'a Flat<f32>, triangles: &'a [Triangle<f32>]) -> Vec<(&'static str, Trace<'a>)> {
-    vec![
-        timed("rayproof", || peers::rayproof::wide(flat)),
-        timed("rayproof, the twin", || peers::rayproof::twin(flat)),
-        timed("obvhs bvh2", || peers::obvhs::bvh2(triangles)),
-        timed("obvhs cwbvh", || peers::obvhs::cwbvh(triangles)),
-        timed("bvh", || peers::bvh::bvh(triangles)),
-    ]
+fn contenders<'a>(
+    gpu: &'a Gpu,
+    flat: &'a Flat<f32>,
+    triangles: &'a [Triangle<f32>],
+) -> Outcome<Vec<Contender<'a>>> {
+    let on_cpu = |label, trace: fn(&'a [Triangle<f32>]) -> Trace<'a>| Contender {
+        label,
+        tracer: Tracer::Threads(timed(label, || trace(triangles))),
+    };
+    Ok(vec![
+        Contender {
+            label: "rayproof",
+            tracer: Tracer::Threads(timed("rayproof", || peers::rayproof::wide(flat))),
+        },
+        Contender {
+            label: "rayproof, the twin",
+            tracer: Tracer::Threads(peers::rayproof::twin(flat)),
+        },
+        on_cpu("obvhs bvh2", peers::obvhs::bvh2),
+        on_cpu("obvhs cwbvh", peers::obvhs::cwbvh),
+        on_cpu("bvh", peers::bvh::bvh),
+        Contender {
+            label: "rayproof, GPU",
+            tracer: Tracer::Device(peers::rayproof::on_gpu(gpu, flat)?),
+        },
+        Contender {
+            label: "plain BVH2, GPU",
+            tracer: Tracer::Device(peers::plain::on_gpu(flat)?),
+        },
+    ])
+}
+
+/// Who finds the closest hits of all rays.
+struct Contender<'a> {
+    label: &'static str,
+    tracer: Tracer<'a>,
+}
+
+enum Tracer<'a> {
+    Threads(Trace<'a>),
+    Device(Search<'a>),
+}
+
+impl Contender<'_> {
+    fn needs_all_cores(&self) -> bool {
+        matches!(self.tracer, Tracer::Device(_))
+    }
+
+    /// Gives the seconds that the search took.
+    fn run(&mut self, pool: &ThreadPool, rays: &[Ray<f32>], found: &mut [Found]) -> Outcome<f64> {
+        match &mut self.tracer {
+            Tracer::Device(search) => search(found),
+            Tracer::Threads(trace) => {
+                let started = Instant::now();
+                pool.install(|| {
+                    rays.par_chunks(SHARE)
+                        .zip(found.par_chunks_mut(SHARE))
+                        .for_each(|(rays, found)| trace(rays, found));
+                });
+                Ok(started.elapsed().as_secs_f64())
+            }
+        }
+    }
 }
 
 /// Says how long it takes to build something.
-fn timed<T>(label: &'static str, build: impl FnOnce() -> T) -> (&'static str, T) {
+fn timed<T>(label: &str, build: impl FnOnce() -> T) -> T {
     let started = Instant::now();
     let built = build();
-    println!("{label:>20} built in {:>7.1} ms", started.elapsed().as_secs_f64() * 1e3);
-    (label, built)
+    let ms = started.elapsed().as_secs_f64() * 1e3;
+    println!("{label:>20} built in {ms:>7.1} ms");
+    built
 }
 
 fn rays_of(flat: &Flat<f32>) -> Vec<Ray<f32>> {

@@ -10,11 +10,12 @@ fn disk_at(row: u32) -> Disk {
 fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let disk = disk_at(row);
     var t = intersect_disk(probe.ray, disk);
+    count_test(hit);
     if t < MISS {
         t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(disk.center), f32(disk.radius)), t);
-    }
-    if may_be_closest(hit, t) {
-        keep_nearer(hit, t, word_at(tables.disk_ids, row), row);
+        if may_be_closest(*hit, t) {
+            keep_nearer(hit, t, word_at(tables.disk_ids, row), row);
+        }
     }
 }
 

@@ -6,3 +6,8 @@
 fn fetch(at: u32) -> vec4<u32> {
     return scene[at];
 }
+
+// Word `at` of the scene.
+fn fetch_word(at: u32) -> u32 {
+    return scene[at >> 2u][at & 3u];
+}

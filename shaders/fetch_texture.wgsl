@@ -10,3 +10,8 @@ const ROW_BITS: u32 = 13u;
 fn fetch(at: u32) -> vec4<u32> {
     return textureLoad(scene, vec2<u32>(at & ((1u << ROW_BITS) - 1u), at >> ROW_BITS), 0);
 }
+
+// Word `at` of the scene.
+fn fetch_word(at: u32) -> u32 {
+    return fetch(at >> 2u)[at & 3u];
+}

@@ -37,11 +37,15 @@ fn no_hit() -> Hit {
     return Hit(MISS, NO_HIT, 0u, 0u, 0u, 0u, 0u, 0u);
 }
 
-// Counts a test, and says whether its t may be the closest. A tie is for
-// `keep_nearer` to settle, by the ids, which are read only now.
-fn may_be_closest(hit: ptr<function, Hit>, t: real) -> bool {
+// Counts a shape that was tested.
+fn count_test(hit: ptr<function, Hit>) {
     (*hit).tests += 1u;
-    return t <= (*hit).t && t < MISS;
+}
+
+// Whether t may be the closest. A tie is for `keep_nearer` to settle, by the ids,
+// which are read only now.
+fn may_be_closest(hit: Hit, t: real) -> bool {
+    return t <= hit.t && t < MISS;
 }
 
 // Keeps a hit if it is nearer. Of two hits at the same t the lower id stays, so the

@@ -50,9 +50,9 @@ struct Surroundings {
 }
 
 struct Volume {
-    kind: u32,
-    begin: u32,
-    end: u32,
+    bound: u32,
+    first: u32,
+    count: u32,
     skip: u32,
 }
 
@@ -101,12 +101,9 @@ struct Dispatch {
     disks: Run,
     triangles: Run,
     fresh: u32,
-    workgroups: u32,
-    workgroups_across: u32,
-    stride: u32,
+    slices: u32,
     steps: u32,
     last: u32,
-    padding: vec2<u32>,
 }
 
 struct HitRecord {

@@ -11,7 +11,8 @@ fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
     for (var row = dispatch.planes.begin; row < dispatch.planes.end; row++) {
         let plane = plane_at(row);
         let t = intersect_plane(probe.ray, plane.point, plane.normal);
-        if may_be_closest(hit, t) {
+        count_test(hit);
+        if may_be_closest(*hit, t) {
             keep_nearer(hit, t, tables.first_plane + row, row);
         }
     }

@@ -2,7 +2,7 @@
 
 // Word `index` of a table of words.
 fn word_at(table: u32, index: u32) -> u32 {
-    return fetch(table + (index >> 2u))[index & 3u];
+    return fetch_word(4u * table + index);
 }
 
 // Quad `index` of a table, as numbers of the geometry's width.

@@ -10,11 +10,12 @@ fn sphere_at(row: u32) -> Sphere {
 fn test_sphere(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let sphere = sphere_at(row);
     var t = intersect_sphere(probe.ray, sphere);
+    count_test(hit);
     if t < MISS {
         t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(sphere.center), f32(sphere.radius)), t);
-    }
-    if may_be_closest(hit, t) {
-        keep_nearer(hit, t, word_at(tables.sphere_ids, row), row);
+        if may_be_closest(*hit, t) {
+            keep_nearer(hit, t, word_at(tables.sphere_ids, row), row);
+        }
     }
 }
 

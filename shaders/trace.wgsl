@@ -4,16 +4,24 @@
 // run of primitives where there are no volumes, with the closest hit carried in
 // `hits`; then one of `shade_tile`.
 
-// Tests the primitive in a row of the table of its kind, as src/flat.rs counts
-// kinds.
-fn test_row(probe: Probe, kind: u32, row: u32, hit: ptr<function, Hit>) {
+// Tests the primitives in some rows of a kind's table, as src/flat.rs counts kinds,
+// and tells the row that it came to: a driver may stop a loop.
+fn test_rows(probe: Probe, kind: u32, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    var row = begin;
     if kind == 0u {
-        test_sphere(probe, row, hit);
+        for (; row < end; row++) {
+            test_sphere(probe, row, hit);
+        }
     } else if kind == 1u {
-        test_disk(probe, row, hit);
+        for (; row < end; row++) {
+            test_disk(probe, row, hit);
+        }
     } else {
-        test_triangle(probe, row, hit);
+        for (; row < end; row++) {
+            test_triangle(probe, row, hit);
+        }
     }
+    return row;
 }
 
 // What the ray sees at its hit.
@@ -50,13 +58,11 @@ fn even_bits(index: u32) -> u32 {
 }
 
 // The pixel of an invocation, in the tile. A workgroup covers 8 x 8 pixels along
-// Morton's curve, so that neighbours run together; the stride spreads the
-// workgroups that a driver hands to one thread over the whole tile.
-fn tile_pixel(workgroup: u32, lane: u32) -> vec2<u32> {
-    let place = (workgroup * dispatch.stride) % dispatch.workgroups;
-    let across = place % dispatch.workgroups_across;
-    let down = place / dispatch.workgroups_across;
-    return vec2<u32>(8u * across + even_bits(lane), 8u * down + even_bits(lane >> 1u));
+// Morton's curve, so that neighbours run together. The rows of workgroups are dealt
+// out to slices, so that what a driver hands to one thread lies all over the tile.
+fn tile_pixel(workgroup: vec3<u32>, lane: u32) -> vec2<u32> {
+    let down = workgroup.y * dispatch.slices + workgroup.z;
+    return vec2<u32>(8u * workgroup.x + even_bits(lane), 8u * down + even_bits(lane >> 1u));
 }
 
 // The closest hit so far of a pixel of the tile.
@@ -77,7 +83,7 @@ fn trace_tile(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let at = tile_pixel(workgroup.x, lane);
+    let at = tile_pixel(workgroup, lane);
     if at.x >= dispatch.size.x || at.y >= dispatch.rows {
         return;
     }
@@ -100,7 +106,7 @@ fn shade_tile(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let at = tile_pixel(workgroup.x, lane);
+    let at = tile_pixel(workgroup, lane);
     if at.x >= dispatch.size.x || at.y >= dispatch.rows {
         return;
     }

@@ -53,13 +53,9 @@ fn children_of(pair: u32) -> Children {
 // the end: a driver may stop a loop.
 fn test_leaf(probe: Probe, leaf: u32, hit: ptr<function, Hit>) -> bool {
     let kind = (leaf >> LEAF_KIND) & 3u;
-    var row = leaf & ((1u << LEAF_COUNT) - 1u);
+    let row = leaf & ((1u << LEAF_COUNT) - 1u);
     let end = row + ((leaf >> LEAF_COUNT) & 7u) + 1u;
-    while row < end {
-        test_row(probe, kind, row, hit);
-        row++;
-    }
-    return row == end;
+    return test_rows(probe, kind, row, end, hit) == end;
 }
 
 // Whether something in the box may be nearer than the hit, or as near.
@@ -117,4 +113,46 @@ fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
     if at != NOWHERE || depth > 0u {
         (*hit).tests = GIVEN_UP;
     }
+}
+
+// Whether anything is met no later than at `limit`: of shadow rays that is all there is
+// to know. The first hit ends it, so the order does not matter. A ray that is given up
+// counts as blocked, and `tests` tells.
+fn any_hit(probe: Probe, limit: real, hit: ptr<function, Hit>) -> bool {
+    (*hit).t = limit;
+    closest_plane(probe, hit);
+    var stack: array<u32, STACK>;
+    var depth = 0u;
+    var at = 0u;
+    var visits = 0u;
+    while at != NOWHERE && (*hit).id == NO_HIT && visits < MOST_VISITS {
+        while (at & LEAF) == 0u && visits < MOST_VISITS {
+            visits++;
+            let children = children_of(at);
+            let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
+            let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
+            let to_left = may_be_nearer(left, *hit);
+            let to_right = may_be_nearer(right, *hit);
+            count_bound(hit, to_left);
+            count_bound(hit, to_right);
+            at = select(children.right, children.left, to_left);
+            if to_left && to_right {
+                stack[depth] = children.right;
+                depth++;
+            }
+            if !(to_left || to_right) {
+                at = next_waiting(&stack, &depth);
+            }
+        }
+        if at != NOWHERE && (at & LEAF) != 0u && test_leaf(probe, at, hit) {
+            visits++;
+            at = next_waiting(&stack, &depth);
+        }
+    }
+    let met = (*hit).id != NO_HIT;
+    if !met && (at != NOWHERE || depth > 0u) {
+        (*hit).tests = GIVEN_UP;
+        return true;
+    }
+    return met;
 }

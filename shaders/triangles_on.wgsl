@@ -27,7 +27,8 @@ fn meet_triangle(probe: Probe, triangle: Triangle) -> real {
 fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let corners = corners_at(row);
     let t = meet_triangle(probe, triangle_of(corners));
-    if may_be_closest(hit, t) {
+    count_test(hit);
+    if may_be_closest(*hit, t) {
         keep_nearer(hit, t, corners.w, row);
     }
 }

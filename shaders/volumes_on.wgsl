@@ -5,7 +5,9 @@
 @group(0) @binding(6) var<storage, read_write> cursors: array<vec2<u32>>;
 
 // As in src/layout.rs; a test holds them to it.
-const BALL: u32 = 3u;
+const BOX: u32 = 0x80000000u;
+const EVERYTHING: u32 = 0xffffffffu;
+const LIST_KIND: u32 = 29u;
 
 // An entry of the list.
 fn volume_at(entry: u32) -> Volume {
@@ -13,50 +15,52 @@ fn volume_at(entry: u32) -> Volume {
     return Volume(quad.x, quad.y, quad.z, quad.w);
 }
 
-// The ball in a row of the table.
-fn ball_at(row: u32) -> Sphere {
-    let quad = reals_at(tables.balls, row);
-    return Sphere(quad.xyz, quad.w);
-}
-
-// The box in a row of the table.
-fn box_at(row: u32) -> BoxRecord {
-    let low = floats_at(tables.boxes, 2u * row).xyz;
-    return BoxRecord(low, floats_at(tables.boxes, 2u * row + 1u).xyz);
-}
-
 // Whether the ray meets the volume, however far away.
-fn meets_volume(probe: Probe, volume: Volume) -> bool {
-    if volume.kind == BALL {
-        return meets_ball(probe.ray, ball_at(volume.begin));
+fn meets_volume(probe: Probe, bound: u32) -> bool {
+    if bound == EVERYTHING {
+        return true;
     }
-    let bounds = box_at(volume.begin);
-    let interval = clip_to_box(probe.slabs, bounds.low, bounds.high);
-    return interval.enter <= interval.exit;
+    if (bound & BOX) == 0u {
+        return meets_bounding_ball(probe, bound);
+    }
+    return meets_bounding_box(probe, bound ^ BOX);
 }
 
 // The nearest of all primitives: of the planes, which no volume holds, then of
 // those in the list.
 //
-// One loop, of which each turn tests one volume or one primitive: so lanes that are
-// at different entries do not add up to more turns than a driver allows.
+// At most so many steps, a volume or a primitive each, as the dispatch allows. In
+// `done` are those that the ray has made within an entry: its volume, then its own
+// primitives.
 fn closest_in_volumes(probe: Probe, hit: ptr<function, Hit>) {
     closest_plane(probe, hit);
     var entry = (*hit).entry;
     var done = (*hit).done;
-    for (var step = 0u; step < dispatch.steps && entry < tables.volume_count; step++) {
+    var steps = dispatch.steps;
+    while steps > 0u && entry < tables.volume_count {
         let volume = volume_at(entry);
-        if volume.kind >= BALL {
-            let met = meets_volume(probe, volume);
-            count_bound(hit, met);
-            entry = select(volume.skip, entry + 1u, met);
-        } else {
-            test_row(probe, volume.kind, volume.begin + done, hit);
-            done++;
-            if volume.begin + done == volume.end {
-                entry = volume.skip;
-                done = 0u;
+        var met = true;
+        if done == 0u {
+            met = meets_volume(probe, volume.bound);
+            if volume.bound != EVERYTHING {
+                count_bound(hit, met);
             }
+            done = 1u;
+            steps--;
+        }
+        let first = volume.first & ((1u << LIST_KIND) - 1u);
+        let begin = first + done - 1u;
+        let own = select(0u, volume.count - (done - 1u), met);
+        let end = begin + min(own, steps);
+        let row = test_rows(probe, volume.first >> LIST_KIND, begin, end, hit);
+        done += row - begin;
+        steps -= row - begin;
+        if row < end {
+            break;
+        }
+        if !met || row == first + volume.count {
+            entry = select(volume.skip, entry + 1u, met);
+            done = 0u;
         }
     }
     (*hit).entry = entry;

@@ -134,8 +134,20 @@ pub const EFFECTS: &[Effect] = &[
     Effect {
         name: "volumes",
         called_for: |counts| counts.volumes > 0,
-        on: &[file!("ball.wgsl"), file!("volumes_on.wgsl")],
+        on: &[file!("volumes_on.wgsl")],
         off: &[file!("volumes_off.wgsl")],
+    },
+    Effect {
+        name: "bounding balls",
+        called_for: |counts| counts.balls > 0,
+        on: &[file!("ball.wgsl"), file!("balls_on.wgsl")],
+        off: &[file!("balls_off.wgsl")],
+    },
+    Effect {
+        name: "bounding boxes",
+        called_for: |counts| counts.boxes > 0,
+        on: &[file!("boxes_on.wgsl")],
+        off: &[file!("boxes_off.wgsl")],
     },
     Effect {
         name: "smooth normals",

@@ -134,6 +134,8 @@ impl<R> Flat<R> {
             vertex_normals: self.vertex_normals.len(),
             pairs: self.pairs.len(),
             volumes: self.volumes.len(),
+            balls: self.balls.len(),
+            boxes: self.boxes.len(),
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
@@ -186,6 +188,10 @@ pub struct Counts {
     pub pairs: usize,
     /// Entries of the list of volumes.
     pub volumes: usize,
+    /// Those of them that are balls.
+    pub balls: usize,
+    /// Those of them that are boxes.
+    pub boxes: usize,
     /// Point lights.
     pub point_lights: usize,
     /// Directional lights.

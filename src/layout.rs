@@ -15,17 +15,18 @@ pub const NO_HIT: u32 = u32::MAX;
 /// Words of a quad, the unit in which the shaders read the scene.
 pub const QUAD: usize = 4;
 
-/// The kind of a [`Volume`] that is a ball.
-pub const BALL: u32 = 3;
+/// Set in a [`Volume`]'s bound that is a box, not a ball.
+pub const BOX: u32 = 1 << 31;
 
-/// The kind of a [`Volume`] that is a box.
-pub const BOX: u32 = 4;
+/// The bound of a [`Volume`] that every ray meets.
+pub const EVERYTHING: u32 = u32::MAX;
 
 /// Set in a child of a [`Pair`] that is a leaf: primitives of one kind, a run of
 /// rows of its table. The first row is in the lowest bits.
 pub const LEAF: u32 = 1 << 31;
 
-/// The kind of a leaf, a [`crate::flat::Kind`], is at this bit.
+/// The kind of a leaf or of a volume's primitives, a [`crate::flat::Kind`], is at this
+/// bit.
 pub const LEAF_KIND: u32 = 29;
 
 /// A leaf's count less one is at this bit, below the kind.
@@ -183,16 +184,16 @@ records! {
         right: u32,
     }
 
-    /// An entry of the list of volumes: a run of primitives, or a volume around the
-    /// entries from the next one to before `skip`.
+    /// An entry of the list of volumes, around primitives of its own and the entries
+    /// from the next one to before `skip`.
     Volume {
-        /// A [`crate::flat::Kind`] for a run, else [`BALL`] or [`BOX`].
-        kind: u32,
-        /// The run's first row of its kind's table, or the volume's row of its table.
-        begin: u32,
-        /// One past the run's last row.
-        end: u32,
-        /// The entry after all that is in the volume, or after the run.
+        /// The row of a ball, the row of a box with [`BOX`] set, or [`EVERYTHING`].
+        bound: u32,
+        /// The first row of its own primitives, with their kind at [`LEAF_KIND`].
+        first: u32,
+        /// How many primitives of its own it has.
+        count: u32,
+        /// The entry after all that is in it.
         skip: u32,
     }
 
@@ -318,18 +319,12 @@ records! {
         triangles: Run,
         /// 1 in a tile's first dispatch, which starts from "no hit", else 0.
         fresh: u32,
-        /// How many workgroups there are.
-        workgroups: u32,
-        /// How many workgroups stand side by side.
-        workgroups_across: u32,
-        /// From one workgroup's place to the next one's; coprime to `workgroups`.
-        stride: u32,
+        /// In how many slices the tile's rows of workgroups are dispatched.
+        slices: u32,
         /// Entries and primitives of the list of volumes that a ray goes through.
         steps: u32,
         /// 1 in a tile's last dispatch, after which no ray may be on its way, else 0.
         last: u32,
-        /// Unused.
-        padding: [u32; 2],
     }
 
     /// A pixel's closest hit so far, carried from one dispatch to the next.

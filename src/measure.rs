@@ -151,6 +151,22 @@ impl Spread {
     }
 }
 
+/// The exponent e with which y grows as x^e: the slope of a line through the logarithms,
+/// by least squares. NaN of fewer than two points.
+pub fn growth_exponent(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let logarithms = points.iter().map(|&(x, y)| (x.ln(), y.ln()));
+    let (sum_x, sum_y) = logarithms
+        .clone()
+        .fold((0.0, 0.0), |(sum_x, sum_y), (x, y)| (sum_x + x, sum_y + y));
+    let (mean_x, mean_y) = (sum_x / count, sum_y / count);
+    let (along, square) = logarithms.fold((0.0, 0.0), |(along, square), (x, y)| {
+        let x = x - mean_x;
+        (along + x * (y - mean_y), square + x * x)
+    });
+    along / square
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,6 +217,19 @@ mod tests {
             spread_of_three.times(1000.0),
             spread(3000.0, 2000.0, 4000.0)
         );
+    }
+
+    #[test]
+    fn exponents_by_hand() {
+        let points = |exponent: i32| [1.0, 3.0, 9.0].map(|x: f64| (x, 5.0 * x.powi(exponent)));
+        for exponent in [-1, 0, 1, 2] {
+            let fitted = growth_exponent(&points(exponent));
+            assert!((fitted - f64::from(exponent)).abs() < 1e-12, "{fitted}");
+        }
+        // Twice as long for four times as much, with one point off.
+        let fitted = growth_exponent(&[(1.0, 1.0), (4.0, 2.0), (16.0, 4.4)]);
+        assert!(fitted > 0.5 && fitted < 0.6, "{fitted}");
+        assert!(growth_exponent(&[(2.0, 3.0)]).is_nan());
     }
 
     /// Runs three jobs that take 1, 2 and 8 seconds, and 10 times as long when

@@ -176,7 +176,9 @@ fn constants_are_the_hosts() {
         (tree, "NOWHERE", NOWHERE),
         (tree, "STACK", STACK as u32),
         (tree, "MOST_VISITS", MOST_VISITS),
-        (volumes, "BALL", BALL),
+        (volumes, "BOX", BOX),
+        (volumes, "EVERYTHING", EVERYTHING),
+        (volumes, "LIST_KIND", LEAF_KIND),
         (hit, "NO_HIT", NO_HIT),
         (hit, "GIVEN_UP", GIVEN_UP),
     ] {
@@ -230,6 +232,10 @@ fn every_combination_of_effects_compiles() {
         }
         let lists = on("volumes") && !on("tree");
         assert_eq!(defines("volume_at"), lists, "{choice:b}");
+        let balls = lists && on("bounding balls");
+        assert_eq!(defines("meets_ball"), balls, "{choice:b}");
+        let boxes = lists && on("bounding boxes");
+        assert_eq!(defines("box_at"), boxes, "{choice:b}");
         let smooth = on("triangles") && on("smooth normals");
         assert_eq!(defines("vertex_normal_at"), smooth, "{choice:b}");
         let planes = on("planes") || on("disks");

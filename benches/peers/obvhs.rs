@@ -20,7 +20,9 @@ pub fn bvh2(triangles: &[rayproof::layout::Triangle<f32>]) -> Trace<'_> {
     Box::new(move |rays, found| {
         for (ray, found) in rays.iter().zip(found) {
             let mut hit = RayHit::none();
-            bvh.ray_traverse(ray_of(ray), &mut hit, |ray, id| triangles[id].intersect(ray));
+            bvh.ray_traverse(ray_of(ray), &mut hit, |ray, id| {
+                triangles[id].intersect(ray)
+            });
             *found = found_of(&hit, &bvh.primitive_indices);
         }
     })
@@ -34,7 +36,9 @@ pub fn cwbvh(triangles: &[rayproof::layout::Triangle<f32>]) -> Trace<'_> {
     Box::new(move |rays, found| {
         for (ray, found) in rays.iter().zip(found) {
             let mut hit = RayHit::none();
-            bvh.ray_traverse(ray_of(ray), &mut hit, |ray, id| triangles[id].intersect(ray));
+            bvh.ray_traverse(ray_of(ray), &mut hit, |ray, id| {
+                triangles[id].intersect(ray)
+            });
             *found = found_of(&hit, &bvh.primitive_indices);
         }
     })
@@ -42,7 +46,9 @@ pub fn cwbvh(triangles: &[rayproof::layout::Triangle<f32>]) -> Trace<'_> {
 
 fn converted(triangles: &[rayproof::layout::Triangle<f32>]) -> Vec<Triangle> {
     let corners = triangles.iter().map(|t| [t.a, t.b, t.c].map(Vec3A::from));
-    corners.map(|[v0, v1, v2]| Triangle { v0, v1, v2 }).collect()
+    corners
+        .map(|[v0, v1, v2]| Triangle { v0, v1, v2 })
+        .collect()
 }
 
 /// As its examples have them: side by side as the leaves name them.

@@ -6,7 +6,7 @@ use super::held::Held;
 use super::nesting::Nesting;
 use crate::flat::{Flat, GivenBound};
 use crate::kernel::real::Real;
-use crate::layout::{BALL, BOX, BoxRecord, Sphere, Volume};
+use crate::layout::{BOX, BoxRecord, EVERYTHING, LEAF_KIND, Sphere, Volume};
 
 /// Which volumes a list has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,15 +45,14 @@ pub(super) fn list_volumes<R: Real>(flat: &mut Flat<R>, listing: Listing) {
         ..
     } = list;
     let rows = arrange(flat, &ids);
-    for entry in entries.iter_mut().filter(|entry| entry.kind < BALL) {
-        let count = entry.end - entry.begin;
-        entry.begin = rows[entry.begin as usize];
-        entry.end = entry.begin + count;
+    for entry in entries.iter_mut().filter(|entry| entry.count > 0) {
+        let (kind, _) = flat.kind_of(ids[entry.first as usize]);
+        entry.first = (kind as u32) << LEAF_KIND | rows[entry.first as usize];
     }
     (flat.volumes, flat.balls, flat.boxes) = (entries, balls, boxes);
 }
 
-/// The list as it grows. A run's rows are places in `ids` until these are arranged.
+/// The list as it grows. First rows are places in `ids` until these are arranged.
 struct List<'a, R> {
     flat: &'a Flat<R>,
     held: &'a Held,
@@ -131,19 +130,21 @@ impl<R: Real> List<'_, R> {
         }
     }
 
-    /// Primitives, as runs of one kind each.
+    /// Primitives, as runs of one kind each; the first belongs to the volume that was
+    /// just begun, if one was.
     fn push_runs(&mut self, ids: &[u32]) {
         let mut ids = ids.to_vec();
         ids.sort_unstable();
         for run in ids.chunk_by(|&a, &b| self.flat.kind_of(a).0 == self.flat.kind_of(b).0) {
-            let begin = self.ids.len() as u32;
+            if self.entries.last().is_none_or(|last| last.count > 0) {
+                let next = self.entries.len() as u32 + 1;
+                self.push_entry(EVERYTHING, next);
+            }
+            if let Some(last) = self.entries.last_mut() {
+                last.first = self.ids.len() as u32;
+                last.count = run.len() as u32;
+            }
             self.ids.extend(run);
-            self.entries.push(Volume {
-                kind: self.flat.kind_of(run[0]).0 as u32,
-                begin,
-                end: self.ids.len() as u32,
-                skip: self.entries.len() as u32 + 1,
-            });
         }
     }
 
@@ -159,20 +160,20 @@ impl<R: Real> List<'_, R> {
             _ => self.held.ball_of(ids),
         };
         self.balls.push(ball);
-        self.push_entry(BALL, self.balls.len() - 1)
+        self.push_entry(self.balls.len() as u32 - 1, 0)
     }
 
     fn push_box(&mut self, bounds: BoxRecord) -> usize {
         self.boxes.push(bounds);
-        self.push_entry(BOX, self.boxes.len() - 1)
+        self.push_entry(BOX | (self.boxes.len() as u32 - 1), 0)
     }
 
-    fn push_entry(&mut self, kind: u32, row: usize) -> usize {
+    fn push_entry(&mut self, bound: u32, skip: u32) -> usize {
         self.entries.push(Volume {
-            kind,
-            begin: row as u32,
-            end: row as u32 + 1,
-            skip: 0,
+            bound,
+            first: 0,
+            count: 0,
+            skip,
         });
         self.entries.len() - 1
     }

@@ -2,6 +2,7 @@
 
 pub(super) mod flags;
 mod results;
+mod scale;
 
 use std::num::NonZeroUsize;
 use std::time::Instant;
@@ -30,6 +31,9 @@ use rayproof::watch::Watch;
 /// Times every choice of volumes on every backend, side by side, and holds their
 /// pictures to the first one's.
 pub(super) fn run(arguments: &BenchArguments, common: &Common) -> Result<Outcome> {
+    if let Some(sizes) = arguments.sizes() {
+        return scale::run(&sizes, arguments, common);
+    }
     let scene = arguments.load()?;
     scene.validate()?;
     let device = arguments.open_gpu()?;
@@ -62,7 +66,7 @@ pub(super) fn run(arguments: &BenchArguments, common: &Common) -> Result<Outcome
     }
 
     let results = Results {
-        scene: arguments.scene.display().to_string(),
+        scene: arguments.scene().display().to_string(),
         width: scene.image.width,
         height: scene.image.height,
         primitives: scenes[0].flat.primitives(),
@@ -210,10 +214,15 @@ impl<'a> Case<'a> {
         format!("{}, {run} {}", self.name(), turn.number)
     }
 
+    /// The median of the passes in which hits are found, by the device's clock.
+    fn search_ms(&self) -> Option<f64> {
+        self.device_ms(|seconds| seconds.trace)
+    }
+
     /// The median of a part of the device's seconds, in milliseconds.
-    fn device_ms(&self, part: fn(&Seconds) -> f64) -> Option<Spread> {
+    fn device_ms(&self, part: fn(&Seconds) -> f64) -> Option<f64> {
         let seconds: Vec<f64> = self.device_seconds.iter().map(part).collect();
-        (!seconds.is_empty()).then(|| Spread::of(&seconds).times(1e3))
+        (!seconds.is_empty()).then(|| Spread::of(&seconds).median * 1e3)
     }
 
     /// Traces a picture into `frame` and gives the seconds that it took, reading
@@ -277,11 +286,10 @@ fn rows(cases: &[Case<'_>], times: &[Times], scene: &Scene) -> Vec<Row> {
             let speedup = without.map(|index| own.speedup_over(&times[index]));
             let against_first = own.speedup_over(&times[0]);
             let trace_ms = Spread::of(&own.seconds).times(1e3);
-            let search = |case: &Case<'_>| case.device_ms(|seconds| seconds.trace);
             let search_speedup = without
-                .and_then(|index| search(&cases[index]))
-                .zip(search(case))
-                .map(|(without, own)| without.median / own.median);
+                .and_then(|index| cases[index].search_ms())
+                .zip(case.search_ms())
+                .map(|(without, own)| without / own);
             Row {
                 backend: case.backend(),
                 adapter: case.adapter().map(str::to_string),
@@ -297,11 +305,9 @@ fn rows(cases: &[Case<'_>], times: &[Times], scene: &Scene) -> Vec<Row> {
                 speedup_range: speedup.and_then(|ratio| ratio.range),
                 against_first: against_first.median,
                 against_first_range: against_first.range,
-                search_ms: search(case).map(|spread| spread.median),
+                search_ms: case.search_ms(),
                 search_speedup,
-                shade_ms: case
-                    .device_ms(|seconds| seconds.shade)
-                    .map(|spread| spread.median),
+                shade_ms: case.device_ms(|seconds| seconds.shade),
                 build_ms: case.scene.build.median * 1e3,
                 counters: case.counters,
                 equal: case.different_pixels == 0,

@@ -40,8 +40,8 @@ impl<R: Real> Block<R> {
             let corners = flat.triangles[row as usize];
             let triangle = triangle_of(flat, corners);
             for (corner, position) in [triangle.a, triangle.b, triangle.c].iter().enumerate() {
-                for axis in 0..3 {
-                    block.corners[corner][axis][lane] = position[axis];
+                for (axis, &coordinate) in position.iter().enumerate() {
+                    block.corners[corner][axis][lane] = coordinate;
                 }
             }
             block.ids[lane] = corners.id;
@@ -89,10 +89,8 @@ impl<R: Real> Block<R> {
             let (u_left, u_right) = (cx[lane] * by[lane], cy[lane] * bx[lane]);
             let (v_left, v_right) = (ax[lane] * cy[lane], ay[lane] * cx[lane]);
             let (w_left, w_right) = (bx[lane] * ay[lane], by[lane] * ax[lane]);
-            let none_negative =
-                (u_left >= u_right) & (v_left >= v_right) & (w_left >= w_right);
-            let none_positive =
-                (u_left <= u_right) & (v_left <= v_right) & (w_left <= w_right);
+            let none_negative = (u_left >= u_right) & (v_left >= v_right) & (w_left >= w_right);
+            let none_positive = (u_left <= u_right) & (v_left <= v_right) & (w_left <= w_right);
             met |= u32::from(none_negative | none_positive) << lane;
         }
         met & ((1 << self.count) - 1)

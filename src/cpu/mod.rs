@@ -158,7 +158,7 @@ impl<'a, R: Real> Prepared<'a, R> {
                             let (x, y) = (index as u32 % width, first_row + index as u32 / width);
                             let ray = camera_ray(&self.flat.camera, self.flat.size, x, y);
                             let mut hit = no_hit();
-                            search.find(probe_of(ray), &mut hit);
+                            search.closest(probe_of(ray), &mut hit);
                             *pixel = shade(self.flat, ray, hit);
                         }
                         let count = pixels.len() as u64;

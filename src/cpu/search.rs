@@ -5,13 +5,13 @@ use wide::f32x8;
 use super::wide::{Node, WIDTH, Wide, leaf_parts};
 use crate::flat::{Flat, Kind};
 use crate::kernel::aabb::{SLACK, Slabs};
-use crate::kernel::hit::{Hit, keep_nearer, may_be_closest};
+use crate::kernel::hit::{Hit, keep_nearer, may_be_closest, no_hit};
 use crate::kernel::planes::closest_plane;
 use crate::kernel::probe::Probe;
 use crate::kernel::real::Real;
-use crate::kernel::trace::{find_hit, test_row};
+use crate::kernel::trace::{find_hit, test_rows};
 use crate::kernel::triangles::meet_triangle;
-use crate::layout::LEAF;
+use crate::layout::{LEAF, NO_HIT};
 
 /// A child that waits, and where the ray enters it.
 type Waiting = (f32, u32);
@@ -78,10 +78,34 @@ impl<'a, R: Real> Search<'a, R> {
     }
 
     /// The nearest of all primitives.
-    pub fn find(&mut self, probe: Probe<R>, hit: &mut Hit<R>) {
-        let Some(wide) = self.wide else {
-            return find_hit(self.flat, probe, hit);
-        };
+    pub fn closest(&mut self, probe: Probe<R>, hit: &mut Hit<R>) {
+        match self.wide {
+            None => find_hit(self.flat, probe, hit),
+            Some(wide) => self.walk(wide, probe, hit, |_| false),
+        }
+    }
+
+    /// Whether anything is met no later than at `limit`.
+    pub fn any(&mut self, probe: Probe<R>, limit: R) -> bool {
+        let mut hit = no_hit();
+        hit.t = limit;
+        match self.wide {
+            None => find_hit(self.flat, probe, &mut hit),
+            Some(wide) => self.walk(wide, probe, &mut hit, |hit| hit.id != NO_HIT),
+        }
+        hit.id != NO_HIT
+    }
+
+    /// Visits what may be nearer than the hit, the nearest child of each node first,
+    /// until nothing waits or `enough` is found.
+    #[inline]
+    fn walk(
+        &mut self,
+        wide: &Wide<R>,
+        probe: Probe<R>,
+        hit: &mut Hit<R>,
+        enough: impl Fn(&Hit<R>) -> bool,
+    ) {
         closest_plane(self.flat, probe, hit);
         let slabs = Slabs8::new(probe.slabs);
         let waiting = &mut self.waiting[..];
@@ -89,50 +113,74 @@ impl<'a, R: Real> Search<'a, R> {
         let mut at = 0;
         let mut limit = above(hit.t);
         loop {
+            let mut next = None;
             if at & LEAF == 0 {
                 let node = &wide.nodes[at as usize];
-                let (enter, mut met) = slabs.clip(node, f32x8::splat(limit));
-                if met != 0 {
-                    let nearest = met.trailing_zeros() as usize;
-                    met &= met - 1;
-                    let mut next = (enter[nearest], node.children[nearest]);
-                    let bottom = depth;
-                    while met != 0 {
-                        let place = met.trailing_zeros() as usize;
-                        met &= met - 1;
-                        let mut other = (enter[place], node.children[place]);
-                        if other.0 < next.0 {
-                            std::mem::swap(&mut other, &mut next);
-                        }
-                        // The nearest of those that wait comes last.
-                        let mut gap = depth;
-                        while gap > bottom && waiting[gap - 1].0 < other.0 {
-                            waiting[gap] = waiting[gap - 1];
-                            gap -= 1;
-                        }
-                        waiting[gap] = other;
-                        depth += 1;
-                    }
-                    at = next.1;
-                    continue;
-                }
+                let (enter, met) = slabs.clip(node, f32x8::splat(limit));
+                next = sort_children(waiting, &mut depth, node, &enter, met);
             } else {
-                self::test_leaf(self.flat, wide, probe, at, hit);
-                limit = above(hit.t);
-            }
-            loop {
-                if depth == 0 {
+                test_leaf(self.flat, wide, probe, at, hit);
+                if enough(hit) {
                     return;
                 }
-                depth -= 1;
-                let (enter, child) = waiting[depth];
-                if enter <= limit {
-                    at = child;
-                    break;
-                }
+                limit = above(hit.t);
+            }
+            match next.or_else(|| next_waiting(waiting, &mut depth, limit)) {
+                Some(next) => at = next,
+                None => return,
             }
         }
     }
+}
+
+/// Has the children that were met wait, the nearer ones on top, but for the nearest,
+/// which it gives.
+#[inline]
+fn sort_children(
+    waiting: &mut [Waiting],
+    depth: &mut usize,
+    node: &Node,
+    enter: &[f32; WIDTH],
+    mut met: u32,
+) -> Option<u32> {
+    if met == 0 {
+        return None;
+    }
+    let mut take = || {
+        let place = met.trailing_zeros() as usize;
+        met &= met - 1;
+        (met, (enter[place], node.children[place]))
+    };
+    let (mut left, mut nearest) = take();
+    let bottom = *depth;
+    while left != 0 {
+        let (still_left, mut other) = take();
+        left = still_left;
+        if other.0 < nearest.0 {
+            std::mem::swap(&mut other, &mut nearest);
+        }
+        let mut gap = *depth;
+        while gap > bottom && waiting[gap - 1].0 < other.0 {
+            waiting[gap] = waiting[gap - 1];
+            gap -= 1;
+        }
+        waiting[gap] = other;
+        *depth += 1;
+    }
+    Some(nearest.1)
+}
+
+/// The last of those that wait which the ray still enters early enough.
+#[inline]
+fn next_waiting(waiting: &[Waiting], depth: &mut usize, limit: f32) -> Option<u32> {
+    while *depth > 0 {
+        *depth -= 1;
+        let (enter, child) = waiting[*depth];
+        if enter <= limit {
+            return Some(child);
+        }
+    }
+    None
 }
 
 #[inline]
@@ -145,19 +193,16 @@ fn test_leaf<R: Real>(
 ) {
     let (kind, count, first) = leaf_parts(leaf);
     if kind != Kind::Triangle as u32 {
-        for row in first..first + count {
-            test_row(flat, probe, kind, row, hit);
-        }
-        return;
+        return test_rows(flat, probe, kind, first..first + count, hit);
     }
     let block = &wide.blocks[first as usize];
     let mut met = block.met(&probe);
-    hit.tests += block.count - met.count_ones();
+    hit.tests += block.count;
     while met != 0 {
         let lane = met.trailing_zeros() as usize;
         met &= met - 1;
         let t = meet_triangle(probe, &block.triangle(lane));
-        if may_be_closest(hit, t) {
+        if may_be_closest(*hit, t) {
             keep_nearer(hit, t, block.ids[lane], block.first + lane as u32);
         }
     }

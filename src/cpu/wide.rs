@@ -243,7 +243,10 @@ fn largest_to_open(open: &[Branch]) -> Option<usize> {
         let extent = branch.aabb.high - branch.aabb.low;
         extent.x * extent.y + extent.y * extent.z + extent.z * extent.x
     };
-    let inner = open.iter().enumerate().filter(|(_, branch)| branch.leaf().is_none());
+    let inner = open
+        .iter()
+        .enumerate()
+        .filter(|(_, branch)| branch.leaf().is_none());
     inner
         .max_by(|(_, a), (_, b)| area(a).total_cmp(&area(b)))
         .map(|(place, _)| place)

@@ -76,9 +76,8 @@ impl Gpu {
     /// [`Error::DeviceLost`] where it does not open.
     pub fn open_adapter(adapter: &wgpu::Adapter, wanted: Option<&str>) -> Result<Self> {
         let description = AdapterDescription::of(adapter);
-        let mut optional = Features::PASSTHROUGH_SHADERS
-            | Features::SHADER_F64
-            | Features::TIMESTAMP_QUERY;
+        let mut optional =
+            Features::PASSTHROUGH_SHADERS | Features::SHADER_F64 | Features::TIMESTAMP_QUERY;
         if description.is_software() {
             // The device's memory is the host's: results are read where they lie.
             optional |= Features::MAPPABLE_PRIMARY_BUFFERS;

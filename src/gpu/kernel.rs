@@ -192,7 +192,7 @@ impl Kernel {
         gpu: &Gpu,
         entry: &str,
         groups: &[&wgpu::BindGroup],
-        workgroups: [u32; 2],
+        workgroups: [u32; 3],
         clock: Option<&Clock>,
     ) -> Result<f64> {
         let pipeline = self
@@ -209,7 +209,8 @@ impl Kernel {
             for (index, group) in groups.iter().enumerate() {
                 pass.set_bind_group(index as u32, *group, &[]);
             }
-            pass.dispatch_workgroups(workgroups[0], workgroups[1], 1);
+            let [x, y, z] = workgroups;
+            pass.dispatch_workgroups(x, y, z);
         }
         if let Some(clock) = clock {
             clock.resolve(&mut encoder);

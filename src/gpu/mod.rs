@@ -6,6 +6,8 @@
 //! small dispatches.
 
 pub mod adapter;
+#[cfg(test)]
+mod any_hit_tests;
 pub mod device;
 #[cfg(test)]
 mod divide_tests;

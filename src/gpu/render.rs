@@ -11,7 +11,7 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::pace::Pace;
-use super::program::Program;
+use super::program::{Program, Source};
 use super::scene::PackedScene;
 use super::stage::Stage;
 use super::tile::Tile;
@@ -114,6 +114,16 @@ impl<'a> Prepared<'a> {
     /// [`Error::Limit`] when the scene does not fit the device,
     /// [`Error::Shader`] when the driver refuses a shader.
     pub fn new(gpu: &'a Gpu, flat: &'a Flat<f32>, portions: Portions) -> Result<Self> {
+        Self::changed(gpu, flat, portions, &|_| {})
+    }
+
+    /// As [`Prepared::new`], with shader files that `change` may change first.
+    pub(super) fn changed(
+        gpu: &'a Gpu,
+        flat: &'a Flat<f32>,
+        portions: Portions,
+        change: &dyn Fn(&mut Vec<Source>),
+    ) -> Result<Self> {
         let scene = PackedScene::of(flat);
         let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
         let device = Device {
@@ -121,7 +131,9 @@ impl<'a> Prepared<'a> {
             fetch,
             count: portions.count,
         };
-        let program = Program::build(&shader_files(&flat.counts(), device))?;
+        let mut files = shader_files(&flat.counts(), device);
+        change(&mut files);
+        let program = Program::build(&files)?;
         let kernel = gpu.compile(&program)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
         let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables, portions)?;
@@ -194,9 +206,9 @@ impl<'a> Prepared<'a> {
             };
             seconds.trace += self.trace(tile, watch)?;
             let orders = tile.orders(self.flat, 0..0);
-            seconds.shade += self
-                .stage
-                .dispatch(self.gpu, &self.kernel, "shade_tile", &orders)?;
+            seconds.shade +=
+                self.stage
+                    .dispatch(self.gpu, &self.kernel, "shade_tile", tile, &orders)?;
             let mut checked = Ok(());
             let pixels = self.flat.size[0] * rows;
             self.stage.look_at_pixels(self.gpu, pixels, &mut |pixels| {
@@ -253,7 +265,7 @@ impl<'a> Prepared<'a> {
             let started = Instant::now();
             seconds += self
                 .stage
-                .dispatch(self.gpu, &self.kernel, "trace_tile", &orders)?;
+                .dispatch(self.gpu, &self.kernel, "trace_tile", tile, &orders)?;
             self.pace.learn(pixels, end - begin, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;

@@ -234,7 +234,7 @@ pub(super) fn run(
         buffers.get(name).map(|buffer| buffer.as_entire_binding())
     })?;
     kernel
-        .run(gpu, entry, &[&group], [workgroups, 1], None)
+        .run(gpu, entry, &[&group], [workgroups, 1, 1], None)
         .map(|_| ())
 }
 

@@ -8,6 +8,7 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::SceneMemory;
 use super::render::Portions;
+use super::tile::Tile;
 use super::timestamps::Clock;
 use crate::error::Result;
 use crate::flat::Flat;
@@ -125,6 +126,7 @@ impl Stage {
         gpu: &Gpu,
         kernel: &Kernel,
         entry: &str,
+        tile: Tile,
         orders: &Dispatch,
     ) -> Result<f64> {
         gpu.queue
@@ -133,7 +135,7 @@ impl Stage {
             gpu,
             entry,
             &[&self.frame, &self.scene],
-            [orders.workgroups, 1],
+            tile.workgroups(orders),
             self.clock.as_ref(),
         )
     }

@@ -8,6 +8,10 @@ use crate::layout::{Dispatch, Run};
 /// Pixels of a workgroup across and down.
 pub(super) const WORKGROUP: u32 = 8;
 
+/// Slices of a tile whose workgroups are spread: enough for as many threads, each of
+/// which a software driver gives the workgroups of a slice.
+const SLICES: u32 = 16;
+
 /// A band of rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tile {
@@ -35,6 +39,13 @@ impl Tile {
         }
     }
 
+    /// Workgroups of a dispatch: across, down a slice, slices.
+    pub(super) fn workgroups(self, orders: &Dispatch) -> [u32; 3] {
+        let down = self.rows.div_ceil(WORKGROUP);
+        let across = orders.size[0].div_ceil(WORKGROUP);
+        [across, down.div_ceil(orders.slices), orders.slices]
+    }
+
     /// The orders for a dispatch over the tile that concerns `rows`: the rows of all
     /// the kinds' tables, counted through spheres, planes, disks and triangles.
     pub(super) fn orders(self, flat: &Flat<f32>, rows: Range<u32>) -> Dispatch {
@@ -43,8 +54,7 @@ impl Tile {
             end: rows.end.clamp(first, past) - first,
             padding: [0; 2],
         };
-        let workgroups_across = flat.size[0].div_ceil(WORKGROUP);
-        let workgroups = workgroups_across * self.rows.div_ceil(WORKGROUP);
+        let slices = if self.spread { SLICES } else { 1 };
         Dispatch {
             size: flat.size,
             first_row: self.first_row,
@@ -54,30 +64,10 @@ impl Tile {
             disks: run(flat.first_disk(), flat.first_triangle()),
             triangles: run(flat.first_triangle(), flat.primitives()),
             fresh: u32::from(rows.start == 0),
-            workgroups,
-            workgroups_across,
-            stride: if self.spread { stride(workgroups) } else { 1 },
+            slices: slices.min(self.rows.div_ceil(WORKGROUP)),
             steps: rows.end - rows.start,
             last: 1,
-            padding: [0; 2],
         }
-    }
-}
-
-/// A step that visits all of `count` places and lands far from the last ones: near
-/// the golden section, and coprime to `count`.
-fn stride(count: u32) -> u32 {
-    let golden = (f64::from(count) * 0.618_034) as u32;
-    (golden.max(1)..=count)
-        .find(|&step| greatest_common_divisor(step, count) == 1)
-        .unwrap_or(1)
-}
-
-fn greatest_common_divisor(a: u32, b: u32) -> u32 {
-    if b == 0 {
-        a
-    } else {
-        greatest_common_divisor(b, a % b)
     }
 }
 
@@ -117,18 +107,32 @@ mod tests {
         assert_eq!(tile.orders(&shapes(), 0..9).fresh, 1);
     }
 
+    /// Every row of workgroups is dispatched once, those of a slice far apart.
     #[test]
-    fn every_workgroup_has_its_own_place() {
-        for count in [1, 2, 3, 8, 36, 625, 15_625, 16_384] {
-            let stride = stride(count);
-            let mut seen = vec![false; count as usize];
-            for group in 0..count {
-                seen[((group * stride) % count) as usize] = true;
+    fn slices_cover_the_tile() {
+        for (rows, spread) in [
+            (1, true),
+            (8, true),
+            (61, true),
+            (1000, true),
+            (1000, false),
+        ] {
+            let tile = Tile {
+                first_row: 0,
+                rows,
+                spread,
+            };
+            let orders = tile.orders(&shapes(), 0..1);
+            let [_, down, slices] = tile.workgroups(&orders);
+            let mut seen = vec![0; rows.div_ceil(WORKGROUP) as usize];
+            for (slice, row) in (0..slices).flat_map(|z| (0..down).map(move |y| (z, y))) {
+                if let Some(seen) = seen.get_mut((row * orders.slices + slice) as usize) {
+                    *seen += 1;
+                }
             }
-            assert!(seen.iter().all(|seen| *seen), "{stride} of {count}");
+            assert!(seen.iter().all(|&seen| seen == 1), "{rows} rows: {seen:?}");
+            assert_eq!(slices > 1, spread && rows > WORKGROUP);
         }
-        // The control: a step that is not coprime leaves places out.
-        assert_eq!(greatest_common_divisor(10, 625), 5);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
 use super::disk::intersect_disk;
-use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
 use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
@@ -14,15 +14,16 @@ use crate::flat::Flat;
 pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let disk = &flat.disks[row as usize];
     let mut t = intersect_disk(probe.ray, disk);
+    count_test(hit);
     if t < R::MISS {
         t = clamp_to_box(
             probe.slabs,
             ball_box(Vec3::from(disk.center).to_f32(), disk.radius.to_f32()),
             t,
         );
-    }
-    if may_be_closest(hit, t) {
-        keep_nearer(hit, t, flat.disk_ids[row as usize], row);
+        if may_be_closest(*hit, t) {
+            keep_nearer(hit, t, flat.disk_ids[row as usize], row);
+        }
     }
 }
 

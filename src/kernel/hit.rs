@@ -45,10 +45,14 @@ pub fn no_hit<R: Real>() -> Hit<R> {
     }
 }
 
-/// Counts a test, and says whether its t may be the closest. A tie is for
-/// [`keep_nearer`] to settle, by the ids, which are read only now.
-pub fn may_be_closest<R: Real>(hit: &mut Hit<R>, t: R) -> bool {
+/// Counts a shape that was tested.
+pub fn count_test<R: Real>(hit: &mut Hit<R>) {
     hit.tests += 1;
+}
+
+/// Whether t may be the closest. A tie is for [`keep_nearer`] to settle, by the ids,
+/// which are read only now.
+pub fn may_be_closest<R: Real>(hit: Hit<R>, t: R) -> bool {
     t <= hit.t && t < R::MISS
 }
 

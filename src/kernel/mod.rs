@@ -12,6 +12,8 @@
 pub mod aabb;
 pub mod background;
 pub mod ball;
+pub mod balls;
+pub mod boxes;
 pub mod camera;
 pub mod count;
 pub mod directional_lights;

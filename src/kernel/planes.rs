@@ -1,7 +1,7 @@
 //! All planes: which one is nearest, and what is found there.
 
 use super::camera::Ray;
-use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
 use super::plane::intersect_plane;
 use super::probe::Probe;
 use super::real::Real;
@@ -12,7 +12,8 @@ use crate::flat::Flat;
 pub fn closest_plane<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     for (plane, row) in flat.planes.iter().zip(0..) {
         let t = intersect_plane(probe.ray, Vec3::from(plane.point), Vec3::from(plane.normal));
-        if may_be_closest(hit, t) {
+        count_test(hit);
+        if may_be_closest(*hit, t) {
             keep_nearer(hit, t, flat.first_plane() + row, row);
         }
     }

@@ -2,7 +2,7 @@
 
 use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
-use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
 use super::probe::Probe;
 use super::real::Real;
 use super::sphere::{intersect_sphere, sphere_normal, sphere_point};
@@ -14,15 +14,16 @@ use crate::flat::Flat;
 pub fn test_sphere<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let sphere = &flat.spheres[row as usize];
     let mut t = intersect_sphere(probe.ray, sphere);
+    count_test(hit);
     if t < R::MISS {
         t = clamp_to_box(
             probe.slabs,
             ball_box(Vec3::from(sphere.center).to_f32(), sphere.radius.to_f32()),
             t,
         );
-    }
-    if may_be_closest(hit, t) {
-        keep_nearer(hit, t, flat.sphere_ids[row as usize], row);
+        if may_be_closest(*hit, t) {
+            keep_nearer(hit, t, flat.sphere_ids[row as usize], row);
+        }
     }
 }
 

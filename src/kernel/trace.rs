@@ -1,5 +1,7 @@
 //! One pixel, from its ray to its colour.
 
+use std::ops::Range;
+
 use super::background::background_color;
 use super::camera::{Ray, camera_ray};
 use super::disks::{closest_disk, disk_surface, test_disk};
@@ -30,14 +32,26 @@ pub fn find_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     }
 }
 
-/// Tests the primitive in a row of the table of its kind, a [`crate::flat::Kind`].
-pub fn test_row<R: Real>(flat: &Flat<R>, probe: Probe<R>, kind: u32, row: u32, hit: &mut Hit<R>) {
+/// Tests the primitives in some rows of the table of a [`crate::flat::Kind`].
+pub fn test_rows<R: Real>(
+    flat: &Flat<R>,
+    probe: Probe<R>,
+    kind: u32,
+    rows: Range<u32>,
+    hit: &mut Hit<R>,
+) {
     if kind == 0 {
-        test_sphere(flat, probe, row, hit);
+        for row in rows {
+            test_sphere(flat, probe, row, hit);
+        }
     } else if kind == 1 {
-        test_disk(flat, probe, row, hit);
+        for row in rows {
+            test_disk(flat, probe, row, hit);
+        }
     } else {
-        test_triangle(flat, probe, row, hit);
+        for row in rows {
+            test_triangle(flat, probe, row, hit);
+        }
     }
 }
 

@@ -6,10 +6,10 @@ use super::hit::{GIVEN_UP, Hit};
 use super::planes::closest_plane;
 use super::probe::Probe;
 use super::real::Real;
-use super::trace::test_row;
+use super::trace::test_rows;
 use super::vector::{Vec3, vec3};
 use crate::flat::Flat;
-use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NOWHERE, Pair};
+use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NO_HIT, NOWHERE, Pair};
 
 /// Pairs that can wait while others are visited; the builder builds no deeper.
 pub const STACK: usize = 64;
@@ -59,17 +59,12 @@ pub fn children_of(pair: &Pair) -> Children {
     }
 }
 
-/// Tests a leaf's primitives, which are of one kind, and says whether it came to
-/// the end: a driver may stop a loop.
-fn test_leaf<R: Real>(flat: &Flat<R>, probe: Probe<R>, leaf: u32, hit: &mut Hit<R>) -> bool {
+/// Tests a leaf's primitives, which are of one kind.
+fn test_leaf<R: Real>(flat: &Flat<R>, probe: Probe<R>, leaf: u32, hit: &mut Hit<R>) {
     let kind = (leaf >> LEAF_KIND) & 3;
-    let mut row = leaf & ((1 << LEAF_COUNT) - 1);
+    let row = leaf & ((1 << LEAF_COUNT) - 1);
     let end = row + ((leaf >> LEAF_COUNT) & 7) + 1;
-    while row < end {
-        test_row(flat, probe, kind, row, hit);
-        row += 1;
-    }
-    row == end
+    test_rows(flat, probe, kind, row..end, hit);
 }
 
 /// Whether something in the box may be nearer than the hit, or as near.
@@ -127,7 +122,8 @@ pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
                 at = next_waiting(&stack, &mut depth);
             }
         }
-        if at != NOWHERE && (at & LEAF) != 0 && test_leaf(flat, probe, at, hit) {
+        if at != NOWHERE && (at & LEAF) != 0 {
+            test_leaf(flat, probe, at, hit);
             visits += 1;
             at = next_waiting(&stack, &mut depth);
         }
@@ -135,4 +131,51 @@ pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     if at != NOWHERE || depth > 0 {
         hit.tests = GIVEN_UP;
     }
+}
+
+/// Whether anything is met no later than at `limit`: of shadow rays that is all there is
+/// to know. The first hit ends it, so the order does not matter. A ray that is given up
+/// counts as blocked, and `tests` tells.
+pub fn any_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, limit: R, hit: &mut Hit<R>) -> bool {
+    hit.t = limit;
+    closest_plane(flat, probe, hit);
+    let mut stack = [0; STACK];
+    let mut depth = 0;
+    let mut at = 0;
+    let mut visits = 0;
+    while at != NOWHERE && hit.id == NO_HIT && visits < MOST_VISITS {
+        while (at & LEAF) == 0 && visits < MOST_VISITS {
+            visits += 1;
+            let children = children_of(&flat.pairs[at as usize]);
+            let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
+            let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
+            let to_left = may_be_nearer(left, *hit);
+            let to_right = may_be_nearer(right, *hit);
+            count_bound(hit, to_left);
+            count_bound(hit, to_right);
+            at = if to_left {
+                children.left
+            } else {
+                children.right
+            };
+            if to_left && to_right {
+                stack[depth] = children.right;
+                depth += 1;
+            }
+            if !(to_left || to_right) {
+                at = next_waiting(&stack, &mut depth);
+            }
+        }
+        if at != NOWHERE && (at & LEAF) != 0 {
+            test_leaf(flat, probe, at, hit);
+            visits += 1;
+            at = next_waiting(&stack, &mut depth);
+        }
+    }
+    let met = hit.id != NO_HIT;
+    if !met && (at != NOWHERE || depth > 0) {
+        hit.tests = GIVEN_UP;
+        return true;
+    }
+    met
 }

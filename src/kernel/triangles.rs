@@ -2,7 +2,7 @@
 
 use super::aabb::{clamp_to_box, triangle_box};
 use super::camera::Ray;
-use super::hit::{Hit, Surface, keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
 use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
@@ -50,7 +50,8 @@ pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> R {
 pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let corners = flat.triangles[row as usize];
     let t = meet_triangle(probe, &triangle_of(flat, corners));
-    if may_be_closest(hit, t) {
+    count_test(hit);
+    if may_be_closest(*hit, t) {
         keep_nearer(hit, t, corners.id, row);
     }
 }

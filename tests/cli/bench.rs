@@ -5,8 +5,8 @@ use serde_json::Value;
 use super::{Room, has_fields};
 
 const FIELDS: &str = "backend adapter threads bounds runs from_warm_up median_ms min_ms max_ms \
-    mrays_per_s speedup speedup_range against_first against_first_range build_ms counters equal \
-    different_pixels";
+    mrays_per_s speedup speedup_range against_first against_first_range search_ms \
+    search_speedup shade_ms build_ms counters equal different_pixels";
 
 /// Runs `bench ok.toml` in its own small size and gives the object.
 #[track_caller]
@@ -104,6 +104,74 @@ fn what_was_not_measured_is_not_told() {
     assert!(results["runs"][0]["adapter"].is_string());
 }
 
+/// The device's own clock, where there is one: within the wall time.
+#[test]
+fn the_device_times_its_passes() {
+    let results = bench("--bounds none,tree --runs 2");
+    for row in results["runs"].as_array().expect("rows") {
+        let on_gpu = row["backend"] == "gpu";
+        for name in ["search_ms", "shade_ms", "search_speedup"] {
+            assert_eq!(row[name].is_f64(), on_gpu, "{name}: {row:#}");
+        }
+        if on_gpu {
+            let passes = number(&row["search_ms"]) + number(&row["shade_ms"]);
+            assert!(0.0 < passes && passes < number(&row["max_ms"]), "{row:#}");
+        }
+    }
+}
+
+#[test]
+fn what_the_rays_test_is_counted_where_asked_for() {
+    let results = bench("--bounds none,tree --runs 1 --warmup 0 --count");
+    let rows = results["runs"].as_array().expect("rows");
+    let tests = |row: usize| number(&rows[row]["counters"]["shape_tests"]);
+    let brute_force = 48.0 * 32.0 * number(&results["primitives"]);
+    assert_eq!([tests(0), tests(2)], [brute_force; 2]);
+    // Both backends walk the same tree, and it saves tests.
+    assert_eq!(rows[1]["counters"], rows[3]["counters"]);
+    assert!(tests(1) < brute_force);
+}
+
+#[test]
+fn growth_is_measured_without_a_scene() {
+    let room = Room::new();
+    let line = "bench --scale 2000,500 --size 24x16 --runs 2 --threads 2";
+    let results = room.run(&format!("{line} --json")).with(0).json();
+    has_fields(&results, "mesh width height warmup runs exponents");
+    let rows = results["runs"].as_array().expect("rows");
+    let names = "triangles backend adapter threads median_ms min_ms max_ms search_ms build_ms \
+        device_bytes";
+    for row in rows {
+        has_fields(row, names);
+    }
+    let of = |name: &str| {
+        rows.iter()
+            .map(|row| number(&row[name]))
+            .collect::<Vec<_>>()
+    };
+    let triangles = of("triangles");
+    assert!(triangles[0] == triangles[1] && triangles[1] < triangles[2]);
+    assert!((450.0..550.0).contains(&triangles[0]), "{triangles:?}");
+    let bytes = number(&results["exponents"]["device_bytes"]);
+    assert!((0.8..1.2).contains(&bytes), "{bytes}");
+    assert_eq!(
+        results["exponents"]["trace"].as_array().map(Vec::len),
+        Some(2)
+    );
+    let text = room.run(line).with(0).out;
+    for words in ["growth with the triangles n", "a picture on the gpu"] {
+        assert!(text.contains(words), "no `{words}` in {text}");
+    }
+    for line in [
+        "bench",
+        "bench ok.toml --scale",
+        "bench --scale 0",
+        "bench --scale --count",
+    ] {
+        room.run(line).with(2);
+    }
+}
+
 #[test]
 fn a_spent_budget_is_told() {
     let row = |flags: &str| {
@@ -128,7 +196,7 @@ fn the_table_names_the_clock_and_the_verdict() {
         .run("bench ok.toml --runs 2 --threads 1")
         .with(0);
     for words in [
-        "wall time of tracing alone; 1 + 2 runs, interleaved",
+        "wall time of a picture; search by the device's clock; 1 + 2 runs, interleaved",
         "backend  threads   bounds  runs",
         "all pictures equal, bit for bit",
     ] {

@@ -1,7 +1,7 @@
 //! The flags of `rayproof bench`, and their conversion into checked options.
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
@@ -13,14 +13,25 @@ use rayproof::error::{Error, Result};
 use rayproof::gpu::device::Gpu;
 use rayproof::measure::Plan;
 use rayproof::scene::Scene;
+use rayproof::scene::mesh::MAX_DETAIL;
 
 /// Runs at most; more would only heat the machine.
 const MOST_RUNS: i64 = 10_000;
 
+/// Triangles of the knots that are measured unless others are named.
+const SIZES: [u32; 5] = [1_000, 11_000, 100_000, 1_000_000, 10_000_000];
+
 #[derive(Debug, Args)]
 pub(in crate::cli) struct BenchArguments {
     /// The scene file
-    pub(super) scene: PathBuf,
+    #[arg(required_unless_present = "scale", conflicts_with = "scale")]
+    scene: Option<PathBuf>,
+    /// In place of a scene, knots of so many triangles, 1,000 to 10 million if not given:
+    /// how times and memory grow
+    #[arg(long, value_name = "LIST", num_args = 0.., value_delimiter = ',',
+          value_parser = clap::value_parser!(u32).range(1..=MAX_DETAIL as i64),
+          conflicts_with_all = ["bounds", "levels", "count"])]
+    scale: Option<Vec<u32>>,
     /// Runs of each configuration that count, interleaved
     #[arg(long, value_name = "N", default_value_t = 5,
           value_parser = clap::value_parser!(u32).range(1..=MOST_RUNS))]
@@ -70,6 +81,22 @@ enum BenchBackend {
 }
 
 impl BenchArguments {
+    /// The sizes of the knots to measure in place of a scene, from the smallest.
+    pub(super) fn sizes(&self) -> Option<Vec<u32>> {
+        let mut sizes = self.scale.clone()?;
+        if sizes.is_empty() {
+            sizes = SIZES.to_vec();
+        }
+        sizes.sort_unstable();
+        sizes.dedup();
+        Some(sizes)
+    }
+
+    /// Width and height of the knots' pictures.
+    pub(super) fn knot_size(&self) -> (u32, u32) {
+        self.size.unwrap_or((1000, 1000))
+    }
+
     /// How often to run.
     pub(super) fn plan(&self) -> Plan {
         Plan {
@@ -132,13 +159,18 @@ impl BenchArguments {
         }
     }
 
+    /// The scene file; clap sees to it that there is one, or `--scale`.
+    pub(super) fn scene(&self) -> &Path {
+        self.scene.as_deref().unwrap_or(Path::new(""))
+    }
+
     /// Loads the scene, in the size asked for.
     ///
     /// # Errors
     ///
     /// All the faults of the scene.
     pub(super) fn load(&self) -> Result<Scene> {
-        self.policy.load_scene(&self.scene, self.size)
+        self.policy.load_scene(self.scene(), self.size)
     }
 }
 

@@ -149,7 +149,10 @@ fn or_dash(number: Option<f64>) -> String {
 }
 
 /// Columns side by side, each as wide as it must be, flush right but the first.
-fn columns<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
+pub(super) fn columns<const N: usize>(
+    head: [&str; N],
+    rows: impl Iterator<Item = [String; N]>,
+) -> String {
     let mut lines = vec![head.map(str::to_string)];
     lines.extend(rows);
     let widths: Vec<usize> = (0..N)

@@ -1,0 +1,79 @@
+//! The any-hit search on the GPU against the CPU's, and against the closest hit.
+
+use super::device::Gpu;
+use super::program::Source;
+use super::render::{Portions, Prepared};
+use crate::bounds::{Bounds, bound};
+use crate::cpu::search::Search;
+use crate::cpu::wide::Wide;
+use crate::flat::Flat;
+use crate::flatten::flatten;
+use crate::kernel::camera::camera_ray;
+use crate::kernel::hit::no_hit;
+use crate::kernel::probe::probe_of;
+use crate::kernel::trace::find_hit;
+use crate::kernel::tree::any_hit;
+use crate::scene::Scene;
+use crate::watch::Unwatched;
+
+fn bounded(name: &str) -> Flat<f32> {
+    let file = format!("{}/assets/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut flat = flatten(&Scene::load(file).unwrap().with_size(97, 61));
+    bound(&mut flat, Bounds::Tree);
+    flat
+}
+
+/// Has the shader say, in place of the tests, whether something is met up to `limit`.
+fn ask_for_any_hit(files: &mut [Source], limit: f32) {
+    let search = "closest_hit(probe_of(ray), &hit);";
+    let file = files.iter_mut().find(|file| file.name == "trace.wgsl");
+    let file = file.unwrap();
+    assert_eq!(file.text.matches(search).count(), 1);
+    let ask = format!(
+        "let met = any_hit(probe_of(ray), {limit}f, &hit);
+        hit = no_hit();
+        hit.tests = select(0u, 1u, met);"
+    );
+    file.text = file.text.replace(search, &ask).leak();
+}
+
+/// Of each pixel, whether something is met up to `limit`.
+fn on_gpu(flat: &Flat<f32>, limit: f32) -> Vec<bool> {
+    let gpu = Gpu::open(None).unwrap();
+    let change = |files: &mut Vec<Source>| ask_for_any_hit(files, limit);
+    let mut prepared = Prepared::changed(&gpu, flat, Portions::default(), &change).unwrap();
+    let mut met = Vec::new();
+    prepared
+        .run(&Unwatched, &mut |_, pixels| {
+            met.extend(pixels.iter().map(|pixel| pixel.tests == 1));
+        })
+        .unwrap();
+    met
+}
+
+#[test]
+fn any_hit_is_there_where_the_closest_is_near_enough() {
+    for (name, limits) in [("shapes", [4.0, 7.5, 1e9]), ("knot", [3.2, 3.6, 1e9])] {
+        let flat = bounded(name);
+        let wide = Wide::new(&flat);
+        let mut search = Search::new(&flat, Some(&wide));
+        let mut counts = Vec::new();
+        for limit in limits {
+            let met = on_gpu(&flat, limit);
+            let pixels = (0..flat.size[1]).flat_map(|y| (0..flat.size[0]).map(move |x| (x, y)));
+            for ((x, y), met) in pixels.zip(&met) {
+                let probe = probe_of(camera_ray(&flat.camera, flat.size, x, y));
+                let (mut closest, mut any) = (no_hit(), no_hit());
+                find_hit(&flat, probe, &mut closest);
+                let near = closest.t <= limit;
+                assert_eq!(*met, near, "GPU, {name}, pixel ({x}, {y}), limit {limit}");
+                assert_eq!(any_hit(&flat, probe, limit, &mut any), near);
+                assert_eq!(search.any(probe, limit), near, "wide, {name}, ({x}, {y})");
+            }
+            counts.push(met.iter().filter(|met| **met).count());
+        }
+        // The control: the limit matters, and not everything is met.
+        assert!(counts[0] < counts[1] && counts[1] < counts[2], "{counts:?}");
+        assert!(counts[2] < flat.size[0] as usize * flat.size[1] as usize);
+    }
+}
