@@ -15,6 +15,8 @@ struct Hit {
     row: u32,
     // Shapes tested so far.
     tests: u32,
+    // The tile of the screen that the ray goes through.
+    tile: u32,
     // How far the ray has come in the list of volumes: the entry, and the primitives
     // of a run that are done.
     entry: u32,
@@ -34,7 +36,7 @@ struct Surface {
 
 // Nothing hit, nothing tested.
 fn no_hit() -> Hit {
-    return Hit(MISS, NO_HIT, 0u, 0u, 0u, 0u, 0u, 0u);
+    return Hit(MISS, NO_HIT, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 }
 
 // Counts a shape that was tested.

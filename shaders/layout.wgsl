@@ -74,6 +74,7 @@ struct Tables {
     pairs: u32,
     volumes: u32,
     volume_count: u32,
+    tile_words: u32,
     balls: u32,
     boxes: u32,
     materials: u32,
@@ -83,6 +84,17 @@ struct Tables {
     first_plane: u32,
     first_disk: u32,
     first_triangle: u32,
+}
+
+// A level of the quad-tree over the screen.
+struct Split {
+    side: u32,
+    across: u32,
+    first: u32,
+    is_root: u32,
+    parent_across: u32,
+    parent_first: u32,
+    padding: vec2<u32>,
 }
 
 // A run of primitives of one kind, as rows of its table.

@@ -27,3 +27,18 @@ fn light_at(index: u32) -> LightRecord {
     let second = floats_at(tables.lights, 2u * index + 1u);
     return LightRecord(bitcast<vec3<f32>>(first.xyz), first.w, second.xyz);
 }
+
+// The bound of a volume that every ray meets; as in src/layout.rs.
+const EVERYTHING: u32 = 0xffffffffu;
+
+// Entry `entry` of the list of volumes.
+fn volume_at(entry: u32) -> Volume {
+    let quad = fetch(tables.volumes + entry);
+    return Volume(quad.x, quad.y, quad.z, quad.w);
+}
+
+// The bounding ball in a row of the table.
+fn ball_at(row: u32) -> Sphere {
+    let quad = reals_at(tables.balls, row);
+    return Sphere(quad.xyz, quad.w);
+}

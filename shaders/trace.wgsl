@@ -93,7 +93,9 @@ fn trace_tile(
         hit = hit_at(index);
         load_cursor(index, &hit);
     }
-    let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
+    let y = dispatch.first_row + at.y;
+    let ray = camera_ray(dispatch.size, at.x, y);
+    hit.tile = tile_of(dispatch.size, at.x, y);
     closest_hit(probe_of(ray), &hit);
     hits[index] = HitRecord(f32(hit.t), hit.id, hit.row, hit.tests);
     store_cursor(index, hit);

@@ -6,20 +6,10 @@
 
 // As in src/layout.rs; a test holds them to it.
 const BOX: u32 = 0x80000000u;
-const EVERYTHING: u32 = 0xffffffffu;
 const LIST_KIND: u32 = 29u;
-
-// An entry of the list.
-fn volume_at(entry: u32) -> Volume {
-    let quad = fetch(tables.volumes + entry);
-    return Volume(quad.x, quad.y, quad.z, quad.w);
-}
 
 // Whether the ray meets the volume, however far away.
 fn meets_volume(probe: Probe, bound: u32) -> bool {
-    if bound == EVERYTHING {
-        return true;
-    }
     if (bound & BOX) == 0u {
         return meets_bounding_ball(probe, bound);
     }
@@ -41,8 +31,9 @@ fn closest_in_volumes(probe: Probe, hit: ptr<function, Hit>) {
         let volume = volume_at(entry);
         var met = true;
         if done == 0u {
-            met = meets_volume(probe, volume.bound);
-            if volume.bound != EVERYTHING {
+            met = is_on_tile((*hit).tile, entry);
+            if met && volume.bound != EVERYTHING {
+                met = meets_volume(probe, volume.bound);
                 count_bound(hit, met);
             }
             done = 1u;

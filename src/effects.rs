@@ -150,6 +150,12 @@ pub const EFFECTS: &[Effect] = &[
         off: &[file!("boxes_off.wgsl")],
     },
     Effect {
+        name: "screen",
+        called_for: |counts| counts.tile_words > 0,
+        on: &[file!("cone.wgsl"), file!("screen_on.wgsl")],
+        off: &[file!("screen_off.wgsl")],
+    },
+    Effect {
         name: "smooth normals",
         called_for: |counts| counts.vertex_normals > 0,
         on: &[file!("smooth_normals_on.wgsl")],

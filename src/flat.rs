@@ -65,6 +65,11 @@ pub struct Flat<R> {
     pub balls: Vec<Sphere<R>>,
     /// The volumes that are boxes.
     pub boxes: Vec<BoxRecord>,
+    /// Words of a tile's mask; 0 where the screen is not divided.
+    pub tile_words: u32,
+    /// The masks of the screen's smallest tiles, row by row: in bit e, whether a ray of
+    /// the tile may meet volume e. The shaders compute their own.
+    pub tile_masks: Vec<u32>,
     /// The bounding volume hierarchy, the root first; empty where there is none.
     pub pairs: Vec<Pair>,
 }
@@ -136,6 +141,7 @@ impl<R> Flat<R> {
             volumes: self.volumes.len(),
             balls: self.balls.len(),
             boxes: self.boxes.len(),
+            tile_words: self.tile_words,
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
@@ -192,6 +198,9 @@ pub struct Counts {
     pub balls: usize,
     /// Those of them that are boxes.
     pub boxes: usize,
+    /// Words of a tile's mask, where the screen is divided.
+    #[serde(skip)]
+    pub tile_words: u32,
     /// Point lights.
     pub point_lights: usize,
     /// Directional lights.

@@ -54,6 +54,8 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         volumes: Vec::new(),
         balls: Vec::new(),
         boxes: Vec::new(),
+        tile_words: 0,
+        tile_masks: Vec::new(),
         pairs: Vec::new(),
     };
     for material in &scene.materials {

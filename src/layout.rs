@@ -271,6 +271,8 @@ records! {
         volumes: u32,
         /// How many volumes and runs there are.
         volume_count: u32,
+        /// Words of a tile's mask, where the screen is divided.
+        tile_words: u32,
         /// One quad each, as spheres.
         balls: u32,
         /// Two quads each.
@@ -289,6 +291,26 @@ records! {
         first_disk: u32,
         /// The first triangle's id.
         first_triangle: u32,
+        /// Unused.
+        padding: [u32; 3],
+    }
+
+    /// A level of the quad-tree over the screen.
+    Split {
+        /// Pixels of a tile's side.
+        side: u32,
+        /// Tiles side by side.
+        across: u32,
+        /// Where the level's masks begin.
+        first: u32,
+        /// 1 for the largest tile, else 0.
+        is_root: u32,
+        /// Tiles side by side of the level above.
+        parent_across: u32,
+        /// Where the masks of the level above begin.
+        parent_first: u32,
+        /// Unused.
+        padding: [u32; 2],
     }
 
     /// A run of primitives of one kind, as rows of its table.

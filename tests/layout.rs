@@ -3,6 +3,7 @@
 use rayproof::effects::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Fetch, select_files};
 use rayproof::gpu::program::{Access, Binding, Program, StructLayout, struct_layout};
 use rayproof::kernel::hit::GIVEN_UP;
+use rayproof::kernel::screen::WORD;
 use rayproof::kernel::tree::{MOST_VISITS, STACK};
 use rayproof::layout::*;
 
@@ -51,6 +52,7 @@ fn host_structs_lie_as_the_shaders_read_them() {
         mismatch::<Surroundings>(&program),
         mismatch::<Tables>(&program),
         mismatch::<Run>(&program),
+        mismatch::<Split>(&program),
         mismatch::<Dispatch>(&program),
         mismatch::<HitRecord>(&program),
         mismatch::<Pixel>(&program),
@@ -69,7 +71,7 @@ fn no_struct_is_left_out() {
         text.lines()
             .filter(|line| line.starts_with("struct "))
             .count(),
-        15
+        16
     );
 }
 
@@ -126,6 +128,8 @@ fn bindings_are_these() {
             ("hits", 0, 4, Access::Write),
             ("pixels", 0, 5, Access::Write),
             ("cursors", 0, 6, Access::Write),
+            ("masks", 0, 8, Access::Write),
+            ("split", 0, 9, Access::Uniform),
             ("scene", 1, 0, access),
         ]
         .map(|(name, group, binding, access)| Binding {
@@ -169,6 +173,8 @@ fn constants_are_the_hosts() {
     let tree = include_str!("../shaders/tree_on.wgsl");
     let volumes = include_str!("../shaders/volumes_on.wgsl");
     let hit = include_str!("../shaders/hit.wgsl");
+    let scene = include_str!("../shaders/scene.wgsl");
+    let screen = include_str!("../shaders/screen_on.wgsl");
     for (shader, name, value) in [
         (tree, "LEAF", LEAF),
         (tree, "LEAF_KIND", LEAF_KIND),
@@ -177,7 +183,8 @@ fn constants_are_the_hosts() {
         (tree, "STACK", STACK as u32),
         (tree, "MOST_VISITS", MOST_VISITS),
         (volumes, "BOX", BOX),
-        (volumes, "EVERYTHING", EVERYTHING),
+        (scene, "EVERYTHING", EVERYTHING),
+        (screen, "WORD", WORD),
         (volumes, "LIST_KIND", LEAF_KIND),
         (hit, "NO_HIT", NO_HIT),
         (hit, "GIVEN_UP", GIVEN_UP),
@@ -231,7 +238,8 @@ fn every_combination_of_effects_compiles() {
             assert_eq!(defines(function), on(effect), "{effect} in {choice:b}");
         }
         let lists = on("volumes") && !on("tree");
-        assert_eq!(defines("volume_at"), lists, "{choice:b}");
+        assert_eq!(defines("closest_in_volumes"), !on("tree"), "{choice:b}");
+        assert_eq!(defines("volume_at"), lists || on("screen"), "{choice:b}");
         let balls = lists && on("bounding balls");
         assert_eq!(defines("meets_ball"), balls, "{choice:b}");
         let boxes = lists && on("bounding boxes");

@@ -7,7 +7,7 @@ use std::path::Path;
 use rayproof::effects::EFFECTS;
 
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 10] = [
+const WITHOUT_TWIN: [(&str, &str); 12] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
     // The CPU traces a pixel in one call, the GPU a tile in two dispatches.
@@ -22,6 +22,10 @@ const WITHOUT_TWIN: [(&str, &str); 10] = [
     // A ray of the CPU goes through the whole list at once, and counts where it is.
     ("volumes", "load_cursor"),
     ("volumes", "store_cursor"),
+    // The CPU divides the screen on its own, see src/bounds/screen.rs.
+    ("screen", "split_tiles"),
+    // A constant in the width, where the shader converts.
+    ("cone", "real"),
     ("count", "keep_counts"),
 ];
 

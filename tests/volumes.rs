@@ -18,7 +18,7 @@ use rayproof::scene::{Geometry, Group, GroupBound, Shape};
 use rayproof::{Accuracy, Backend, Scene, Unwatched};
 
 /// Every choice of volumes but brute force.
-const CHOICES: [Bounds; 8] = [
+const CHOICES: [Bounds; 10] = [
     Bounds::Scene,
     Bounds::Spheres { levels: 1 },
     Bounds::Spheres { levels: 2 },
@@ -26,6 +26,8 @@ const CHOICES: [Bounds; 8] = [
     Bounds::Boxes { levels: 1 },
     Bounds::Boxes { levels: 2 },
     Bounds::Boxes { levels: 4 },
+    Bounds::Screen { levels: 1 },
+    Bounds::Screen { levels: 3 },
     Bounds::Tree,
 ];
 

@@ -6,6 +6,7 @@
 //! `volumes` lists the volumes of groups and meshes: `held` says how large they must
 //! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand,
 //! `nesting` knows what lies in what.
+//! [`screen`] finds, for each tile of the screen, the volumes that its rays may meet.
 //! `arrange` puts the primitives into the volumes' order.
 
 mod arrange;
@@ -15,6 +16,7 @@ mod item;
 mod nesting;
 mod overfull;
 pub mod pairs;
+pub mod screen;
 mod split;
 pub mod tree;
 mod validate;
@@ -27,6 +29,7 @@ use serde::Serialize;
 
 use self::arrange::arrange;
 use self::pairs::pack_pairs;
+use self::screen::divide_screen;
 use self::volumes::{Listing, list_volumes};
 use crate::flat::Flat;
 use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
@@ -34,7 +37,7 @@ use crate::kernel::real::Real;
 use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::Vec3;
 
-/// Levels of [`Bounds::Spheres`] and [`Bounds::Boxes`] at most: four to the sixteenth
+/// Levels of spheres, boxes and the screen at most: four to the sixteenth
 /// is more than any scene has primitives.
 pub const MAX_LEVELS: u32 = 16;
 
@@ -57,6 +60,12 @@ pub enum Bounds {
         /// As of the spheres.
         levels: u32,
     },
+    /// The spheres, and for each tile of the screen, found in a quad-tree over it, those
+    /// that its rays may meet: the others are not even tested.
+    Screen {
+        /// As of the spheres.
+        levels: u32,
+    },
     /// A bounding volume hierarchy.
     #[default]
     Tree,
@@ -70,6 +79,7 @@ impl Bounds {
             Bounds::Scene => "scene",
             Bounds::Spheres { .. } => "spheres",
             Bounds::Boxes { .. } => "boxes",
+            Bounds::Screen { .. } => "screen",
             Bounds::Tree => "tree",
         }
     }
@@ -85,11 +95,16 @@ impl Serialize for Bounds {
 pub fn bound<R: Real>(flat: &mut Flat<R>, bounds: Bounds) {
     flat.pairs = Vec::new();
     (flat.volumes, flat.balls, flat.boxes) = Default::default();
+    (flat.tile_words, flat.tile_masks) = Default::default();
     match bounds {
         Bounds::None => {}
         Bounds::Scene => list_volumes(flat, Listing::Given),
         Bounds::Spheres { levels } => list_volumes(flat, Listing::Balls(levels)),
         Bounds::Boxes { levels } => list_volumes(flat, Listing::Boxes(levels)),
+        Bounds::Screen { levels } => {
+            list_volumes(flat, Listing::Balls(levels));
+            divide_screen(flat);
+        }
         Bounds::Tree => grow_tree(flat),
     }
 }

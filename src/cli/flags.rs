@@ -157,6 +157,8 @@ pub(super) enum BoundsChoice {
     Spheres,
     /// An axis-aligned box around each group and mesh, and more in it with `--levels`
     Boxes,
+    /// The spheres, sorted to tiles of the screen beforehand
+    Screen,
     /// A bounding volume hierarchy
     Tree,
 }
@@ -276,6 +278,7 @@ impl BoundsChoice {
             Self::Scene => Bounds::Scene,
             Self::Spheres => Bounds::Spheres { levels },
             Self::Boxes => Bounds::Boxes { levels },
+            Self::Screen => Bounds::Screen { levels },
             Self::Tree => Bounds::Tree,
         }
     }
@@ -298,7 +301,7 @@ impl PlaceFlags {
         let bounds = self.bounds.bounds(self.levels.unwrap_or(ONE_LEVEL));
         match bounds {
             Bounds::None | Bounds::Scene | Bounds::Tree if self.levels.is_some() => Err(
-                Error::Usage("`--levels` goes with `--bounds spheres` or `--bounds boxes`".into()),
+                Error::Usage("`--levels` goes with `--bounds spheres`, `boxes` or `screen`".into()),
             ),
             _ => Ok(bounds),
         }

@@ -19,6 +19,7 @@ use crate::kernel::camera::camera_ray;
 use crate::kernel::hit::no_hit;
 use crate::kernel::probe::probe_of;
 use crate::kernel::real::Real;
+use crate::kernel::screen::tile_of;
 use crate::kernel::trace::{find_hit, shade};
 use crate::layout::Pixel;
 use crate::watch::Watch;
@@ -69,6 +70,7 @@ pub fn count<R: Real>(
         let mut row = Counters::default();
         for x in 0..width {
             let mut hit = no_hit();
+            hit.tile = tile_of(flat.size, x, y);
             find_hit(
                 flat,
                 probe_of(camera_ray(&flat.camera, flat.size, x, y)),
@@ -158,6 +160,7 @@ impl<'a, R: Real> Prepared<'a, R> {
                             let (x, y) = (index as u32 % width, first_row + index as u32 / width);
                             let ray = camera_ray(&self.flat.camera, self.flat.size, x, y);
                             let mut hit = no_hit();
+                            hit.tile = tile_of(self.flat.size, x, y);
                             search.closest(probe_of(ray), &mut hit);
                             *pixel = shade(self.flat, ray, hit);
                         }

@@ -10,7 +10,7 @@ use crate::flat::Flat;
 use crate::flatten::flatten;
 use crate::kernel::camera::camera_ray;
 use crate::kernel::hit::no_hit;
-use crate::kernel::probe::probe_of;
+use crate::kernel::probe::{Probe, probe_of};
 use crate::kernel::trace::find_hit;
 use crate::kernel::tree::any_hit;
 use crate::scene::Scene;
@@ -51,29 +51,47 @@ fn on_gpu(flat: &Flat<f32>, limit: f32) -> Vec<bool> {
     met
 }
 
+/// Each pixel's ray, and the t of its closest hit.
+fn closest(flat: &Flat<f32>) -> Vec<(Probe<f32>, f32)> {
+    let pixels = (0..flat.size[1]).flat_map(|y| (0..flat.size[0]).map(move |x| (x, y)));
+    pixels
+        .map(|(x, y)| {
+            let probe = probe_of(camera_ray(&flat.camera, flat.size, x, y));
+            let mut hit = no_hit();
+            find_hit(flat, probe, &mut hit);
+            (probe, hit.t)
+        })
+        .collect()
+}
+
 #[test]
 fn any_hit_is_there_where_the_closest_is_near_enough() {
-    for (name, limits) in [("shapes", [4.0, 7.5, 1e9]), ("knot", [3.2, 3.6, 1e9])] {
+    for name in ["shapes", "knot"] {
         let flat = bounded(name);
         let wide = Wide::new(&flat);
         let mut search = Search::new(&flat, Some(&wide));
-        let mut counts = Vec::new();
-        for limit in limits {
+        let closest = closest(&flat);
+        let mut hits: Vec<f32> = closest.iter().map(|(_, t)| *t).collect();
+        hits.retain(|&t| t < f32::MAX);
+        hits.sort_by(f32::total_cmp);
+        assert!(hits.len() > 500);
+        let third = hits.len() / 3;
+        // Up to a hit and just below it: `limit` itself counts.
+        for limit in [hits[third], hits[third].next_down(), hits[2 * third], 1e9] {
             let met = on_gpu(&flat, limit);
-            let pixels = (0..flat.size[1]).flat_map(|y| (0..flat.size[0]).map(move |x| (x, y)));
-            for ((x, y), met) in pixels.zip(&met) {
-                let probe = probe_of(camera_ray(&flat.camera, flat.size, x, y));
-                let (mut closest, mut any) = (no_hit(), no_hit());
-                find_hit(&flat, probe, &mut closest);
-                let near = closest.t <= limit;
-                assert_eq!(*met, near, "GPU, {name}, pixel ({x}, {y}), limit {limit}");
-                assert_eq!(any_hit(&flat, probe, limit, &mut any), near);
-                assert_eq!(search.any(probe, limit), near, "wide, {name}, ({x}, {y})");
+            for ((probe, t), met) in closest.iter().zip(&met) {
+                let near = *t <= limit;
+                let here = format!("{name}, limit {limit}, {probe:?}");
+                assert_eq!(*met, near, "GPU, {here}");
+                assert_eq!(any_hit(&flat, *probe, limit, &mut no_hit()), near, "{here}");
+                assert_eq!(search.any(*probe, limit), near, "wide, {here}");
             }
-            counts.push(met.iter().filter(|met| **met).count());
+            let count = met.iter().filter(|met| **met).count();
+            assert_eq!(
+                count,
+                hits.partition_point(|&t| t <= limit),
+                "{name}, {limit}"
+            );
         }
-        // The control: the limit matters, and not everything is met.
-        assert!(counts[0] < counts[1] && counts[1] < counts[2], "{counts:?}");
-        assert!(counts[2] < flat.size[0] as usize * flat.size[1] as usize);
     }
 }

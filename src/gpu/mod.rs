@@ -20,6 +20,7 @@ pub mod render;
 mod samples;
 mod scene;
 mod scratch;
+mod screen;
 pub mod selfcheck;
 pub mod source;
 mod spirv;

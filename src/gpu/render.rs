@@ -13,13 +13,14 @@ use super::memory::{SceneMemory, best_fetch};
 use super::pace::Pace;
 use super::program::{Program, Source};
 use super::scene::PackedScene;
+use super::screen::Screen;
 use super::stage::Stage;
 use super::tile::Tile;
 use crate::count::Counters;
 use crate::effects::{Device, Fetch, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
-use crate::layout::Pixel;
+use crate::layout::{Dispatch, Pixel};
 use crate::watch::Watch;
 
 /// Primitives that one dispatch tests at most: below the 65,535 loop iterations
@@ -101,6 +102,7 @@ pub struct Prepared<'a> {
     fetch: Fetch,
     kernel: Kernel,
     stage: Stage,
+    screen: Screen,
     pace: Pace,
     counters: Option<Counters>,
     seconds: Option<Seconds>,
@@ -136,7 +138,16 @@ impl<'a> Prepared<'a> {
         let program = Program::build(&files)?;
         let kernel = gpu.compile(&program)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
-        let stage = Stage::set_up(gpu, flat, &kernel, &memory, &scene.tables, portions)?;
+        let screen = Screen::set_up(gpu, flat)?;
+        let stage = Stage::set_up(
+            gpu,
+            flat,
+            &kernel,
+            &memory,
+            &scene.tables,
+            &screen,
+            portions,
+        )?;
         let pace = Pace::new(
             flat.size,
             tests_per_ray(flat),
@@ -150,6 +161,7 @@ impl<'a> Prepared<'a> {
             kernel,
             seconds: stage.has_clock().then(Seconds::default),
             stage,
+            screen,
             pace,
             counters: portions.count.then(Counters::default),
         })
@@ -195,6 +207,9 @@ impl<'a> Prepared<'a> {
         self.pace.start_anew();
         let mut counters = self.counters.map(|_| Counters::default());
         let mut seconds = Seconds::default();
+        seconds.trace += self
+            .screen
+            .divide(self.gpu, &self.kernel, &self.stage, self.flat)?;
         let height = self.flat.size[1];
         let mut first_row = 0;
         while first_row < height {
@@ -206,9 +221,7 @@ impl<'a> Prepared<'a> {
             };
             seconds.trace += self.trace(tile, watch)?;
             let orders = tile.orders(self.flat, 0..0);
-            seconds.shade +=
-                self.stage
-                    .dispatch(self.gpu, &self.kernel, "shade_tile", tile, &orders)?;
+            seconds.shade += self.dispatch("shade_tile", tile, &orders)?;
             let mut checked = Ok(());
             let pixels = self.flat.size[0] * rows;
             self.stage.look_at_pixels(self.gpu, pixels, &mut |pixels| {
@@ -237,6 +250,12 @@ impl<'a> Prepared<'a> {
         Ok(())
     }
 
+    fn dispatch(&self, entry: &str, tile: Tile, orders: &Dispatch) -> Result<f64> {
+        let workgroups = tile.workgroups(orders);
+        self.stage
+            .dispatch(self.gpu, &self.kernel, entry, workgroups, orders)
+    }
+
     /// Finds the tile's closest hits: through the tree in one dispatch, else by one
     /// for each run of primitives, or of entries and primitives of the list of
     /// volumes. An empty scene gets one dispatch too, which notes that nothing is hit.
@@ -263,9 +282,7 @@ impl<'a> Prepared<'a> {
                 tile.orders(self.flat, begin..end)
             };
             let started = Instant::now();
-            seconds += self
-                .stage
-                .dispatch(self.gpu, &self.kernel, "trace_tile", tile, &orders)?;
+            seconds += self.dispatch("trace_tile", tile, &orders)?;
             self.pace.learn(pixels, end - begin, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;

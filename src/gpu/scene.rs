@@ -30,6 +30,7 @@ impl PackedScene {
             pairs: push_records(&mut quads, &flat.pairs),
             volumes: push_records(&mut quads, &flat.volumes),
             volume_count: flat.volumes.len() as u32,
+            tile_words: flat.tile_words,
             balls: push_records(&mut quads, &flat.balls),
             boxes: push_records(&mut quads, &flat.boxes),
             materials: push_records(&mut quads, &flat.materials),
@@ -39,6 +40,7 @@ impl PackedScene {
             first_plane: flat.first_plane(),
             first_disk: flat.first_disk(),
             first_triangle: flat.first_triangle(),
+            padding: [0; 3],
         };
         // A binding must not be empty.
         if quads.is_empty() {

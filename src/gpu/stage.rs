@@ -8,7 +8,7 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::SceneMemory;
 use super::render::Portions;
-use super::tile::Tile;
+use super::screen::Screen;
 use super::timestamps::Clock;
 use crate::error::Result;
 use crate::flat::Flat;
@@ -45,6 +45,7 @@ impl Stage {
         kernel: &Kernel,
         scene: &SceneMemory,
         tables: &Tables,
+        screen: &Screen,
         portions: Portions,
     ) -> Result<Self> {
         let pixel_limit = gpu.limits.max_storage_buffer_binding_size / size_of::<Pixel>() as u64;
@@ -92,6 +93,8 @@ impl Stage {
                 gpu.create_buffer("cursors", cursors * size_of::<[u32; 2]>() as u64, working)?,
             ),
             ("counts", counts.clone()),
+            ("masks", screen.masks.clone()),
+            ("split", screen.split.clone()),
             ("pixels", pixels.clone()),
         ]);
         let frame = kernel.bind(gpu, 0, |name| {
@@ -115,7 +118,7 @@ impl Stage {
         self.clock.is_some()
     }
 
-    /// Runs one entry point over a tile, and waits; gives the seconds as
+    /// Runs one entry point, and waits; gives the seconds as
     /// [`Kernel::run`].
     ///
     /// # Errors
@@ -126,7 +129,7 @@ impl Stage {
         gpu: &Gpu,
         kernel: &Kernel,
         entry: &str,
-        tile: Tile,
+        workgroups: [u32; 3],
         orders: &Dispatch,
     ) -> Result<f64> {
         gpu.queue
@@ -135,7 +138,7 @@ impl Stage {
             gpu,
             entry,
             &[&self.frame, &self.scene],
-            tile.workgroups(orders),
+            workgroups,
             self.clock.as_ref(),
         )
     }

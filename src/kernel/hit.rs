@@ -18,6 +18,8 @@ pub struct Hit<R> {
     pub row: u32,
     /// Shapes tested so far.
     pub tests: u32,
+    /// The tile of the screen that the ray goes through.
+    pub tile: u32,
     /// Volumes tested so far.
     pub bound_tests: u32,
     /// Those of them that the ray met.
@@ -40,6 +42,7 @@ pub fn no_hit<R: Real>() -> Hit<R> {
         id: NO_HIT,
         row: 0,
         tests: 0,
+        tile: 0,
         bound_tests: 0,
         bound_hits: 0,
     }

@@ -10,6 +10,7 @@ use super::lambert::scattered_light;
 use super::planes::{closest_plane, plane_surface};
 use super::probe::{Probe, probe_of};
 use super::real::Real;
+use super::screen::tile_of;
 use super::spheres::{closest_sphere, sphere_surface, test_sphere};
 use super::tree::closest_hit;
 use super::triangles::{closest_triangle, test_triangle, triangle_surface};
@@ -95,6 +96,7 @@ pub fn shade<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
 pub fn trace_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Pixel {
     let ray = camera_ray(&flat.camera, flat.size, x, y);
     let mut hit = no_hit();
+    hit.tile = tile_of(flat.size, x, y);
     find_hit(flat, probe_of(ray), &mut hit);
     shade(flat, ray, hit)
 }

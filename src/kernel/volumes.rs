@@ -8,15 +8,13 @@ use super::hit::Hit;
 use super::planes::closest_plane;
 use super::probe::Probe;
 use super::real::Real;
+use super::screen::is_on_tile;
 use super::trace::test_rows;
 use crate::flat::Flat;
 use crate::layout::{BOX, EVERYTHING, LEAF_KIND};
 
 /// Whether the ray meets the volume, however far away.
 fn meets_volume<R: Real>(flat: &Flat<R>, probe: Probe<R>, bound: u32) -> bool {
-    if bound == EVERYTHING {
-        return true;
-    }
     if bound & BOX == 0 {
         return meets_bounding_ball(flat, probe, bound);
     }
@@ -29,8 +27,9 @@ pub fn closest_in_volumes<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hi
     closest_plane(flat, probe, hit);
     let mut entry = 0;
     while let Some(volume) = flat.volumes.get(entry as usize) {
-        let met = meets_volume(flat, probe, volume.bound);
-        if volume.bound != EVERYTHING {
+        let mut met = is_on_tile(flat, hit.tile, entry);
+        if met && volume.bound != EVERYTHING {
+            met = meets_volume(flat, probe, volume.bound);
             count_bound(hit, met);
         }
         if met {
