@@ -21,6 +21,7 @@
 //! ```
 
 pub mod bounds;
+mod color;
 pub mod compare;
 pub mod count;
 pub mod cpu;
@@ -33,6 +34,7 @@ pub mod gpu;
 pub mod kernel;
 pub mod layout;
 pub mod measure;
+mod ramp;
 pub mod render;
 pub mod scene;
 pub mod watch;

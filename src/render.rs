@@ -6,7 +6,7 @@ use std::time::Instant;
 use serde::Serialize;
 
 use crate::bounds::{self, Bounds};
-use crate::count::Counters;
+use crate::count::{CountMap, Counters};
 use crate::effects::effects_of;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -189,7 +189,7 @@ pub fn render(
     }
 }
 
-/// Counts what the rays of a picture test, in a pass of its own: with a shader that
+/// Counts what each ray of a picture tests, in a pass of its own: with a shader that
 /// counts, or on the CPU with the arithmetic of the shader.
 ///
 /// # Errors
@@ -200,7 +200,7 @@ pub fn count(
     backend: &Backend,
     settings: impl Into<Settings>,
     watch: &dyn Watch,
-) -> Result<Counters> {
+) -> Result<CountMap> {
     scene.validate()?;
     let settings = settings.into();
     match (backend, settings.accuracy) {
@@ -215,6 +215,17 @@ pub fn count(
         }
         (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
     }
+}
+
+/// Of each pixel, whether the outline of a volume runs through it, see
+/// [`bounds::outlines`].
+///
+/// # Errors
+///
+/// The faults of the scene.
+pub fn outlines(scene: &Scene, settings: impl Into<Settings>) -> Result<Vec<bool>> {
+    scene.validate()?;
+    Ok(bounds::outlines(&bounded::<f32>(scene, settings.into())))
 }
 
 fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {

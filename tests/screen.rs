@@ -99,7 +99,9 @@ fn rays_test_few_volumes() {
             bounds,
         };
         let cpu = Backend::Cpu(None);
-        count(&scene("seed-spheres"), &cpu, settings, &Unwatched).unwrap()
+        count(&scene("seed-spheres"), &cpu, settings, &Unwatched)
+            .unwrap()
+            .sum()
     };
     let spheres = counters(Bounds::Spheres { levels: 1 });
     let screen = counters(Bounds::Screen { levels: 1 });

@@ -37,7 +37,9 @@ fn with(accuracy: Accuracy, bounds: Bounds) -> Settings {
 
 fn counters(backend: &Backend, accuracy: Accuracy, bounds: Bounds) -> Counters {
     let scene = scene("seed-spheres");
-    count(&scene, backend, with(accuracy, bounds), &Unwatched).unwrap()
+    count(&scene, backend, with(accuracy, bounds), &Unwatched)
+        .unwrap()
+        .sum()
 }
 
 /// The counts of the 2017 report's first test.

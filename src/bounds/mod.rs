@@ -7,6 +7,7 @@
 //! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand,
 //! `nesting` knows what lies in what.
 //! [`screen`] finds, for each tile of the screen, the volumes that its rays may meet.
+//! `outline` draws volumes.
 //! `arrange` puts the primitives into the volumes' order.
 
 mod arrange;
@@ -14,6 +15,7 @@ pub mod ball;
 mod held;
 mod item;
 mod nesting;
+mod outline;
 mod overfull;
 pub mod pairs;
 pub mod screen;
@@ -22,6 +24,7 @@ pub mod tree;
 mod validate;
 mod volumes;
 
+pub use outline::outlines;
 pub use overfull::overfull_groups;
 pub use validate::validate;
 

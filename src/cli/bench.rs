@@ -148,12 +148,13 @@ impl<'a> Tracer<'a> {
 
     /// Counts what the rays test, in a run of its own.
     fn count(&self, scene: &BoundedScene, watch: &dyn Watch) -> Result<Counters> {
-        match self {
+        let map = match self {
             Self::Cpu(prepared) => {
                 cpu::count(&scene.flat, NonZeroUsize::new(prepared.threads()), watch)
             }
             Self::Gpu(device, _) => gpu::count(device, &scene.flat, watch),
-        }
+        };
+        map.map(|map| map.sum())
     }
 }
 

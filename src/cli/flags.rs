@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::bench::flags::BenchArguments;
+use super::shown::Shown;
 use rayproof::bounds::{Bounds, MAX_LEVELS};
 use rayproof::compare::Tolerance;
 use rayproof::cpu::MAX_THREADS;
 use rayproof::error::{Error, Result};
-use rayproof::frame::Layer;
 use rayproof::gpu::device::Gpu;
 use rayproof::render::{Accuracy, Backend, Settings};
 use rayproof::scene::Scene;
@@ -82,9 +82,11 @@ pub(super) struct RenderArguments {
     pub(super) output: PathBuf,
     #[command(flatten)]
     pub(super) tracing: TracingFlags,
-    /// What a pixel shows; for .exr several, or all layers if none is given
-    #[arg(long, value_name = "LAYER", value_delimiter = ',', value_parser = parse_layer)]
-    pub(super) layer: Vec<Layer>,
+    /// What a pixel shows; for .exr several, or all layers of the picture if none is
+    /// given. `tests` and `bounds` are heat maps of what its ray tests, the latter with
+    /// the outlines of the volumes
+    #[arg(long, value_name = "LAYER", value_delimiter = ',')]
+    pub(super) layer: Vec<Shown>,
     /// Count the volumes and shapes that the rays test, in a pass of its own
     #[arg(long)]
     pub(super) count: bool,
@@ -391,10 +393,6 @@ pub(super) fn parse_threads(text: &str) -> Result<NonZeroUsize, String> {
         Ok(threads) if NonZeroUsize::get(threads) <= MAX_THREADS => Ok(threads),
         _ => Err(format!("`{text}` is not a number from 1 to {MAX_THREADS}")),
     }
-}
-
-fn parse_layer(text: &str) -> Result<Layer, String> {
-    text.parse().map_err(|error: Error| error.to_string())
 }
 
 fn parse_builtin(text: &str) -> Result<Builtin, String> {

@@ -14,6 +14,7 @@ mod mesh;
 mod progress;
 mod render;
 mod report;
+mod shown;
 
 use std::process::ExitCode;
 

@@ -9,10 +9,11 @@ use super::Outcome;
 use super::flags::{Common, RenderArguments};
 use super::progress::Progress;
 use super::report::{self, table};
+use super::shown::{Material, Shown, one_layer_of};
+use rayproof::count::CountMap;
 use rayproof::error::{Error, Result};
-use rayproof::frame::{self, Frame, Layer};
+use rayproof::frame::{self, Frame};
 use rayproof::render::{Rendering, Stats, count, render};
-use rayproof::scene::Transfer;
 
 /// The kinds of picture that can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +44,7 @@ struct Figures<'a> {
 /// before the first ray.
 pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcome> {
     let format = format_of(&arguments.output)?;
-    let layers = layers_of(arguments, format)?;
+    let shown = shown_by(arguments, format)?;
     frame::check_writable(&arguments.output)?;
     let stats_file = arguments
         .stats
@@ -61,22 +62,26 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     let progress = Progress::new(common, format!("{}", arguments.scene.display()));
     let mut rendering = render(&scene, &backend, settings, &progress)?;
     drop(progress);
-    if arguments.count {
+    let mut counted = CountMap::default();
+    if arguments.count || shown.iter().any(|shown| shown.is_counted()) {
         let progress = Progress::new(common, "counting");
-        let counters = count(&scene, &backend, settings, &progress)?;
-        rendering.stats.counters = Some(counters);
+        counted = count(&scene, &backend, settings, &progress)?;
+        rendering.stats.counters = Some(counted.sum());
     }
     let broken = rendering.frame.non_finite_pixels();
     if broken > 0 {
         tracing::warn!("{broken} pixels have a colour that is infinite or not a number");
     }
-    write(
-        &rendering,
-        &arguments.output,
-        format,
-        &layers,
-        scene.image.transfer,
-    )?;
+    let material = Material {
+        scene: &scene,
+        settings,
+        frame: &rendering.frame,
+        counted: &counted,
+    };
+    match format {
+        Format::Png => material.write_png(&arguments.output, shown[0], scene.image.transfer)?,
+        Format::Exr => material.write_exr(&arguments.output, &shown)?,
+    }
 
     let figures = Figures {
         scene: arguments.scene.display().to_string(),
@@ -108,28 +113,11 @@ fn format_of(path: &Path) -> Result<Format> {
     )))
 }
 
-fn layers_of(arguments: &RenderArguments, format: Format) -> Result<Vec<Layer>> {
+fn shown_by(arguments: &RenderArguments, format: Format) -> Result<Vec<Shown>> {
     match (format, arguments.layer.as_slice()) {
-        (Format::Png, []) => Ok(vec![Layer::Color]),
-        (Format::Png, [layer]) => Ok(vec![*layer]),
-        (Format::Png, _) => Err(Error::Usage(
-            "a PNG shows one layer; an EXR holds several".into(),
-        )),
-        (Format::Exr, []) => Ok(Layer::ALL.to_vec()),
-        (Format::Exr, layers) => Ok(layers.to_vec()),
-    }
-}
-
-fn write(
-    rendering: &Rendering,
-    path: &Path,
-    format: Format,
-    layers: &[Layer],
-    transfer: Transfer,
-) -> Result<()> {
-    match format {
-        Format::Png => rendering.frame.write_png(path, layers[0], transfer),
-        Format::Exr => rendering.frame.write_exr(path, layers),
+        (Format::Png, shown) => one_layer_of(shown).map(|shown| vec![shown]),
+        (Format::Exr, []) => Ok(Shown::all_layers()),
+        (Format::Exr, shown) => Ok(shown.to_vec()),
     }
 }
 

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, SQRT_2};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::color::{lab_from_rgb, rgb_from_ycxcz, ycxcz_from_rgb};
+use crate::color::{lab_from_rgb, rgb_from_ycxcz, ycxcz_from_rgb};
 use filters::{Filters, convolve_column, convolve_row};
 
 mod filters;

@@ -1,6 +1,5 @@
 //! How far two pictures are apart, in every layer.
 
-mod color;
 mod difference;
 pub mod flip;
 mod sides;

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use self::search::Search;
 use self::wide::Wide;
-use crate::count::Counters;
+use crate::count::{CountMap, Counted};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::kernel::camera::camera_ray;
@@ -50,7 +50,7 @@ pub fn render<R: Real>(
     Prepared::new(flat, threads)?.run(watch, keep_rows)
 }
 
-/// Counts what the rays of a picture test. They go through the volumes as the
+/// Counts what each ray of a picture tests. They go through the volumes as the
 /// shader's rays do, not by way of [`Search`], so the counts are the same.
 ///
 /// # Errors
@@ -60,38 +60,38 @@ pub fn count<R: Real>(
     flat: &Flat<R>,
     threads: Option<NonZeroUsize>,
     watch: &dyn Watch,
-) -> Result<Counters> {
+) -> Result<CountMap> {
     let [width, height] = flat.size;
+    let mut pixels = vec![Counted::default(); width as usize * height as usize];
     let rows_done = AtomicU64::new(0);
-    let count_row = |y: u32| {
+    let count_row = |(y, row): (usize, &mut [Counted])| {
         if watch.cancelled() {
             return Err(Error::Interrupted);
         }
-        let mut row = Counters::default();
-        for x in 0..width {
-            let mut hit = no_hit();
-            hit.tile = tile_of(flat.size, x, y);
-            find_hit(
-                flat,
-                probe_of(camera_ray(&flat.camera, flat.size, x, y)),
-                &mut hit,
-            );
-            row += Counters {
-                bound_tests: hit.bound_tests.into(),
-                bound_hits: hit.bound_hits.into(),
-                shape_tests: hit.tests.into(),
-            };
+        for (x, counted) in (0..).zip(row) {
+            *counted = count_pixel(flat, x, y as u32);
         }
         let done = rows_done.fetch_add(1, Ordering::Relaxed) + 1;
         watch.progress(done as f64 / f64::from(height));
-        Ok(row)
+        Ok(())
     };
     pool_of(threads)?.install(|| {
-        (0..height)
-            .into_par_iter()
-            .map(count_row)
-            .try_reduce(Counters::default, |a, b| Ok(a + b))
-    })
+        let rows = pixels.par_chunks_mut(width as usize);
+        rows.enumerate().try_for_each(count_row)
+    })?;
+    Ok(CountMap { width, pixels })
+}
+
+fn count_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Counted {
+    let mut hit = no_hit();
+    hit.tile = tile_of(flat.size, x, y);
+    let ray = camera_ray(&flat.camera, flat.size, x, y);
+    find_hit(flat, probe_of(ray), &mut hit);
+    Counted {
+        bound_tests: hit.bound_tests,
+        bound_hits: hit.bound_hits,
+        shape_tests: hit.tests,
+    }
 }
 
 fn pool_of(threads: Option<NonZeroUsize>) -> Result<ThreadPool> {

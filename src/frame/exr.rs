@@ -18,16 +18,30 @@ use crate::{Error, Result};
 const BYTES_PER_SAMPLE: u64 = 4 + 4;
 
 impl Frame {
+    /// Writes layers as channels of one EXR part, as [`Frame::write_exr_with`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn write_exr(&self, path: &Path, layers: &[Layer]) -> Result<()> {
+        self.write_exr_with(path, layers, Vec::new())
+    }
+
     /// Writes layers as channels of one EXR part, bit for bit: colour as
     /// `R`, `G`, `B`, depth as `depth.Z`, normal and position as `normal.X` and
-    /// so on, all 32-bit floats, and id as the 32-bit integer `id`.
+    /// so on, all 32-bit floats, and id as the 32-bit integer `id`. Further channels of
+    /// integers, one for each pixel, come with their names.
     ///
     /// # Errors
     /// [`Error::Usage`] for an empty list of layers; [`Error::Output`], and the
     /// old file, if any, is then untouched.
-    pub fn write_exr(&self, path: &Path, layers: &[Layer]) -> Result<()> {
+    pub fn write_exr_with(
+        &self,
+        path: &Path,
+        layers: &[Layer],
+        further: Vec<(&str, Vec<u32>)>,
+    ) -> Result<()> {
         self.check_lengths()?;
-        if layers.is_empty() {
+        if layers.is_empty() && further.is_empty() {
             return Err(Error::Usage("an EXR file takes at least one layer".into()));
         }
         let mut channels = SmallVec::new();
@@ -49,6 +63,9 @@ impl Frame {
                     channels.push(AnyChannel::new("id", FlatSamples::U32(self.id.clone())))
                 }
             }
+        }
+        for (name, values) in further {
+            channels.push(AnyChannel::new(name, FlatSamples::U32(values)));
         }
         let attributes = LayerAttributes {
             software_name: Some("rayproof".into()),

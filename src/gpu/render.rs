@@ -16,7 +16,7 @@ use super::scene::PackedScene;
 use super::screen::Screen;
 use super::stage::Stage;
 use super::tile::Tile;
-use crate::count::Counters;
+use crate::count::{CountMap, Counted};
 use crate::effects::{Device, Fetch, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -38,7 +38,7 @@ pub struct Portions {
     pub primitives_per_dispatch: u32,
     /// Where the scene lies; none for what the device reads best.
     pub fetch: Option<Fetch>,
-    /// Whether volumes and shapes are counted, see [`Prepared::counters`].
+    /// Whether volumes and shapes are counted, as [`count`] does.
     pub count: bool,
     /// Whether the device times the passes, see [`Prepared::seconds`].
     pub time: bool,
@@ -79,19 +79,22 @@ pub fn render(
     Prepared::new(gpu, flat, portions)?.run(watch, keep_rows)
 }
 
-/// Counts what the rays of a picture test, with shaders that count.
+/// Counts what each ray of a picture tests, with shaders that count.
 ///
 /// # Errors
 ///
 /// As [`render`].
-pub fn count(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch) -> Result<Counters> {
+pub fn count(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch) -> Result<CountMap> {
     let portions = Portions {
         count: true,
         ..Portions::default()
     };
     let mut prepared = Prepared::new(gpu, flat, portions)?;
     prepared.run(watch, &mut |_, _| {})?;
-    Ok(prepared.counters.unwrap_or_default())
+    Ok(CountMap {
+        width: flat.size[0],
+        pixels: prepared.counted,
+    })
 }
 
 /// A scene on a device, uploaded and its shaders compiled: ready to be traced,
@@ -104,7 +107,9 @@ pub struct Prepared<'a> {
     stage: Stage,
     screen: Screen,
     pace: Pace,
-    counters: Option<Counters>,
+    /// Pixel by pixel, where that is counted.
+    counted: Vec<Counted>,
+    count: bool,
     seconds: Option<Seconds>,
 }
 
@@ -163,18 +168,14 @@ impl<'a> Prepared<'a> {
             stage,
             screen,
             pace,
-            counters: portions.count.then(Counters::default),
+            counted: Vec::new(),
+            count: portions.count,
         })
     }
 
     /// Where the scene lies on the device.
     pub fn fetch(&self) -> Fetch {
         self.fetch
-    }
-
-    /// What the rays of the last run tested, where that is counted.
-    pub fn counters(&self) -> Option<Counters> {
-        self.counters
     }
 
     /// How long the last run's passes took, where that is timed and the device has a
@@ -205,7 +206,7 @@ impl<'a> Prepared<'a> {
         keep_rows: &mut dyn FnMut(u32, &[Pixel]),
     ) -> Result<()> {
         self.pace.start_anew();
-        let mut counters = self.counters.map(|_| Counters::default());
+        let mut counted = Vec::new();
         let mut seconds = Seconds::default();
         seconds.trace += self
             .screen
@@ -231,21 +232,25 @@ impl<'a> Prepared<'a> {
                 if checked.is_ok() {
                     keep_rows(first_row, pixels);
                 }
-                if let Some(counters) = &mut counters {
-                    let tests = pixels.iter().map(|pixel| u64::from(pixel.tests));
-                    counters.shape_tests += tests.sum::<u64>();
+                if self.count {
+                    counted.extend(pixels.iter().map(|pixel| Counted {
+                        shape_tests: pixel.tests,
+                        ..Counted::default()
+                    }));
                 }
             })?;
             checked?;
-            if let Some(counters) = &mut counters {
-                for [tested, met] in self.stage.read_counts(self.gpu, pixels)? {
-                    counters.bound_tests += u64::from(tested);
-                    counters.bound_hits += u64::from(met);
+            if self.count {
+                let counts = self.stage.read_counts(self.gpu, pixels)?;
+                let first = (first_row * self.flat.size[0]) as usize;
+                for (counted, [tested, met]) in counted[first..].iter_mut().zip(counts) {
+                    counted.bound_tests = tested;
+                    counted.bound_hits = met;
                 }
             }
             first_row += rows;
         }
-        self.counters = counters;
+        self.counted = counted;
         self.seconds = self.seconds.map(|_| seconds);
         Ok(())
     }

@@ -32,7 +32,7 @@ fn rgb_to_xyz() -> DMat3 {
 /// The space of opponent colours Y, Cx, Cz in which FLIP filters, linear in XYZ.
 /// The usual offset of Y by -16 is left out, so that black is 0 and white 116:
 /// filters that sum to 1 leave it as it is.
-pub(super) fn ycxcz_from_rgb(rgb: DVec3) -> DVec3 {
+pub(crate) fn ycxcz_from_rgb(rgb: DVec3) -> DVec3 {
     let xyz = *TO_XYZ * rgb / *WHITE_XYZ;
     DVec3::new(
         116.0 * xyz.y,
@@ -42,14 +42,14 @@ pub(super) fn ycxcz_from_rgb(rgb: DVec3) -> DVec3 {
 }
 
 /// The inverse of [`ycxcz_from_rgb`].
-pub(super) fn rgb_from_ycxcz(ycxcz: DVec3) -> DVec3 {
+pub(crate) fn rgb_from_ycxcz(ycxcz: DVec3) -> DVec3 {
     let y = ycxcz.x / 116.0;
     let xyz = DVec3::new(y + ycxcz.y / 500.0, y, y - ycxcz.z / 200.0);
     *FROM_XYZ * (xyz * *WHITE_XYZ)
 }
 
 /// CIE 1976 L*a*b*.
-pub(super) fn lab_from_rgb(rgb: DVec3) -> DVec3 {
+pub(crate) fn lab_from_rgb(rgb: DVec3) -> DVec3 {
     let f = |t: f64| {
         if t > DELTA.powi(3) {
             t.cbrt()
@@ -63,7 +63,7 @@ pub(super) fn lab_from_rgb(rgb: DVec3) -> DVec3 {
 }
 
 /// The inverse of [`lab_from_rgb`]; out of 0..=1 where no display shows it.
-pub(super) fn rgb_from_lab(lab: DVec3) -> DVec3 {
+pub(crate) fn rgb_from_lab(lab: DVec3) -> DVec3 {
     let inverse = |t: f64| {
         if t > DELTA {
             t.powi(3)

@@ -1,0 +1,134 @@
+//! Where the outlines of volumes are seen.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use rayon::prelude::*;
+
+use crate::flat::Flat;
+use crate::kernel::aabb::{Aabb, clip_to_box};
+use crate::kernel::ball::meets_ball;
+use crate::kernel::camera::camera_ray;
+use crate::kernel::probe::{Probe, probe_of};
+use crate::kernel::real::Real;
+use crate::kernel::tree::children_of;
+use crate::kernel::vector::Vec3;
+use crate::layout::{BOX, EVERYTHING, LEAF, Sphere};
+
+/// Volumes whose outlines are drawn at most: more would hide the picture.
+const MOST: usize = 254;
+
+/// A volume to be drawn.
+enum Shown<R> {
+    Ball(Sphere<R>),
+    Box(Aabb),
+}
+
+impl<R: Real> Shown<R> {
+    fn is_met(&self, probe: &Probe<R>) -> bool {
+        match self {
+            Self::Ball(ball) => meets_ball(probe.ray, ball),
+            Self::Box(aabb) => {
+                let interval = clip_to_box(probe.slabs, aabb.low, aabb.high);
+                interval.enter <= interval.exit
+            }
+        }
+    }
+}
+
+/// Of each pixel, row by row, whether an outline runs through it: its ray meets other
+/// volumes than that of the pixel to the left or above. Of many volumes, the outermost
+/// are drawn.
+pub fn outlines<R: Real>(flat: &Flat<R>) -> Vec<bool> {
+    let shown = if flat.pairs.is_empty() {
+        of_list(flat)
+    } else {
+        of_tree(flat)
+    };
+    let [width, height] = flat.size.map(|side| side as usize);
+    let seen: Vec<u64> = (0..width * height)
+        .into_par_iter()
+        .map(|index| {
+            let (x, y) = ((index % width) as u32, (index / width) as u32);
+            let probe = probe_of(camera_ray(&flat.camera, flat.size, x, y));
+            let mut hasher = DefaultHasher::new();
+            for volume in &shown {
+                volume.is_met(&probe).hash(&mut hasher);
+            }
+            hasher.finish()
+        })
+        .collect();
+    let differs = |index: usize| {
+        let has_left = !index.is_multiple_of(width);
+        let left = has_left && seen[index - 1] != seen[index];
+        left || index >= width && seen[index - width] != seen[index]
+    };
+    (0..width * height).map(differs).collect()
+}
+
+fn of_list<R: Real>(flat: &Flat<R>) -> Vec<Shown<R>> {
+    let bounds = flat.volumes.iter().map(|volume| volume.bound);
+    let bounds = bounds.filter(|&bound| bound != EVERYTHING).take(MOST);
+    bounds
+        .map(|bound| {
+            if bound & BOX == 0 {
+                return Shown::Ball(flat.balls[bound as usize]);
+            }
+            let record = flat.boxes[(bound ^ BOX) as usize];
+            Shown::Box(Aabb {
+                low: Vec3::from(record.low),
+                high: Vec3::from(record.high),
+            })
+        })
+        .collect()
+}
+
+/// The boxes of the pairs, level by level.
+fn of_tree<R: Real>(flat: &Flat<R>) -> Vec<Shown<R>> {
+    let mut shown = Vec::new();
+    let mut level = vec![0];
+    while !level.is_empty() && shown.len() + 2 * level.len() <= MOST {
+        let mut below = Vec::new();
+        for pair in level {
+            let children = children_of(&flat.pairs[pair as usize]);
+            for (low, high, child) in [
+                (children.left_low, children.left_high, children.left),
+                (children.right_low, children.right_high, children.right),
+            ] {
+                shown.push(Shown::Box(Aabb { low, high }));
+                below.extend((child & LEAF == 0).then_some(child));
+            }
+        }
+        level = below;
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bounds::{Bounds, bound};
+    use crate::flatten::flatten;
+    use crate::scene::Scene;
+
+    fn outlined(bounds: Bounds) -> usize {
+        let file = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/assets/scenes/seed-spheres.toml"
+        );
+        let mut flat = flatten::<f32>(&Scene::load(file).unwrap().with_size(200, 200));
+        bound(&mut flat, bounds);
+        let outlines = outlines(&flat);
+        // Balls end within the picture: no outline along its edge.
+        assert!(outlines[..150].iter().all(|outline| !outline));
+        outlines.iter().filter(|outline| **outline).count()
+    }
+
+    #[test]
+    fn balls_have_thin_outlines() {
+        // Two circles of radius 38 pixels, at most two pixels thick.
+        let pixels = outlined(Bounds::Scene);
+        assert!((400..1000).contains(&pixels), "{pixels}");
+        assert!(outlined(Bounds::Tree) > 0);
+        assert_eq!(outlined(Bounds::None), 0);
+    }
+}
