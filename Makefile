@@ -11,7 +11,7 @@ RAYPROOF := $(TARGET)/release/rayproof
 # Without a desktop this is not set, and Mesa remarks on it again and again.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: help setup demo test test-thorough
+.PHONY: help setup demo test test-thorough bench-peers bench-kernel
 
 help: ## Lists the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' Makefile | expand -t 16
@@ -40,3 +40,9 @@ test: setup ## Formatting, lints, all tests, documentation
 
 test-thorough: setup ## The tests with the long ones too
 	RAYPROOF_THOROUGH=1 cargo test --locked -- --include-ignored
+
+bench-peers: setup ## Closest hits beside the crates obvhs and bvh, on the same rays
+	cargo bench --locked --bench peers
+
+bench-kernel: setup ## Each intersection and search by itself
+	cargo bench --locked --bench kernel

@@ -291,8 +291,6 @@ records! {
         first_disk: u32,
         /// The first triangle's id.
         first_triangle: u32,
-        /// Unused.
-        padding: [u32; 3],
     }
 
     /// A level of the quad-tree over the screen.

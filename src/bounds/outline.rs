@@ -15,7 +15,7 @@ use crate::kernel::vector::Vec3;
 use crate::layout::{BOX, EVERYTHING, LEAF, Sphere};
 
 /// Volumes whose outlines are drawn at most: more would hide the picture.
-const MOST: usize = 254;
+const MOST: usize = 100;
 
 /// A volume to be drawn.
 enum Shown<R> {

@@ -40,7 +40,6 @@ impl PackedScene {
             first_plane: flat.first_plane(),
             first_disk: flat.first_disk(),
             first_triangle: flat.first_triangle(),
-            padding: [0; 3],
         };
         // A binding must not be empty.
         if quads.is_empty() {
