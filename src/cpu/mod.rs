@@ -32,9 +32,10 @@ const ROWS_PER_THREAD: u32 = 16;
 /// takes minutes in which nothing can stop it.
 pub const MAX_THREADS: usize = 1024;
 
-/// Pixels between two looks at the watch: few, since each may test ten million
-/// primitives, but enough that looking costs nothing where a tree finds the hit.
-const STRETCH: usize = 16;
+/// Pixels of a tile's side: rays that go through the same nodes follow one another, and
+/// between two looks at the watch there is one row of them, each of which may test ten
+/// million primitives.
+const TILE: usize = 16;
 
 /// Renders a flattened scene, once: [`Prepared::new`], then [`Prepared::run`].
 ///
@@ -148,25 +149,22 @@ impl<'a, R: Real> Prepared<'a, R> {
         while first_row < height {
             let rows = band.min(height - first_row);
             let mut pixels = vec![Pixel::default(); rows as usize * width as usize];
+            let mut tiles = tiles_of(&mut pixels, width as usize);
             self.pool.install(|| {
-                pixels
-                    .par_chunks_mut(STRETCH)
-                    .enumerate()
-                    .try_for_each_init(search, |search, (stretch, pixels)| {
-                        if watch.cancelled() {
-                            return Err(Error::Interrupted);
+                tiles
+                    .par_iter_mut()
+                    .try_for_each_init(search, |search, tile| {
+                        for (y, row) in (first_row + tile.y..).zip(&mut tile.rows) {
+                            if watch.cancelled() {
+                                return Err(Error::Interrupted);
+                            }
+                            for (x, pixel) in (tile.x..).zip(row.iter_mut()) {
+                                *pixel = self.trace_pixel(search, x, y);
+                            }
+                            let count = row.len() as u64;
+                            let done = pixels_done.fetch_add(count, Ordering::Relaxed) + count;
+                            watch.progress(done as f64 / total as f64);
                         }
-                        for (index, pixel) in (stretch * STRETCH..).zip(pixels.iter_mut()) {
-                            let (x, y) = (index as u32 % width, first_row + index as u32 / width);
-                            let ray = camera_ray(&self.flat.camera, self.flat.size, x, y);
-                            let mut hit = no_hit();
-                            hit.tile = tile_of(self.flat.size, x, y);
-                            search.closest(probe_of(ray), &mut hit);
-                            *pixel = shade(self.flat, ray, hit);
-                        }
-                        let count = pixels.len() as u64;
-                        let done = pixels_done.fetch_add(count, Ordering::Relaxed) + count;
-                        watch.progress(done as f64 / total as f64);
                         Ok(())
                     })
             })?;
@@ -175,4 +173,39 @@ impl<'a, R: Real> Prepared<'a, R> {
         }
         Ok(())
     }
+
+    fn trace_pixel(&self, search: &mut Search<'_, R>, x: u32, y: u32) -> Pixel {
+        let ray = camera_ray(&self.flat.camera, self.flat.size, x, y);
+        let mut hit = no_hit();
+        hit.tile = tile_of(self.flat.size, x, y);
+        search.closest(probe_of(ray), &mut hit);
+        shade(self.flat, ray, hit)
+    }
+}
+
+/// A square of a band of rows, or what there is of it.
+struct Tile<'p> {
+    x: u32,
+    /// From the band's first row.
+    y: u32,
+    rows: Vec<&'p mut [Pixel]>,
+}
+
+/// The tiles of some rows, strip by strip.
+fn tiles_of(pixels: &mut [Pixel], width: usize) -> Vec<Tile<'_>> {
+    let mut tiles: Vec<Tile<'_>> = Vec::new();
+    for (y, row) in pixels.chunks_mut(width).enumerate() {
+        if y.is_multiple_of(TILE) {
+            tiles.extend((0..width).step_by(TILE).map(|x| Tile {
+                x: x as u32,
+                y: y as u32,
+                rows: Vec::with_capacity(TILE),
+            }));
+        }
+        let strip = tiles.len() - width.div_ceil(TILE);
+        for (tile, part) in tiles[strip..].iter_mut().zip(row.chunks_mut(TILE)) {
+            tile.rows.push(part);
+        }
+    }
+    tiles
 }
