@@ -1,9 +1,7 @@
 // A scene without disks.
 
-fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
-}
-
-fn closest_disk(probe: Probe, hit: ptr<function, Hit>) {
+fn test_disks(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    return end;
 }
 
 fn disk_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

@@ -19,11 +19,14 @@ fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     }
 }
 
-// Tests every disk of the dispatch.
-fn closest_disk(probe: Probe, hit: ptr<function, Hit>) {
-    for (var row = dispatch.disks.begin; row < dispatch.disks.end; row++) {
+// Tests the disks in some rows, and tells the row that it came to: a driver may stop
+// a loop.
+fn test_disks(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    var row = begin;
+    for (; row < end; row++) {
         test_disk(probe, row, hit);
     }
+    return row;
 }
 
 // The surface of the disk that was hit.

@@ -1,9 +1,7 @@
 // A scene without spheres.
 
-fn test_sphere(probe: Probe, row: u32, hit: ptr<function, Hit>) {
-}
-
-fn closest_sphere(probe: Probe, hit: ptr<function, Hit>) {
+fn test_spheres(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    return end;
 }
 
 fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

@@ -19,11 +19,14 @@ fn test_sphere(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     }
 }
 
-// Tests every sphere of the dispatch.
-fn closest_sphere(probe: Probe, hit: ptr<function, Hit>) {
-    for (var row = dispatch.spheres.begin; row < dispatch.spheres.end; row++) {
+// Tests the spheres in some rows, and tells the row that it came to: a driver may stop
+// a loop.
+fn test_spheres(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    var row = begin;
+    for (; row < end; row++) {
         test_sphere(probe, row, hit);
     }
+    return row;
 }
 
 // The surface of the sphere that was hit.

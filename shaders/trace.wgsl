@@ -5,23 +5,15 @@
 // `hits`; then one of `shade_tile`.
 
 // Tests the primitives in some rows of a kind's table, as src/flat.rs counts kinds,
-// and tells the row that it came to: a driver may stop a loop.
+// and tells the row that it came to.
 fn test_rows(probe: Probe, kind: u32, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
-    var row = begin;
     if kind == 0u {
-        for (; row < end; row++) {
-            test_sphere(probe, row, hit);
-        }
-    } else if kind == 1u {
-        for (; row < end; row++) {
-            test_disk(probe, row, hit);
-        }
-    } else {
-        for (; row < end; row++) {
-            test_triangle(probe, row, hit);
-        }
+        return test_spheres(probe, begin, end, hit);
     }
-    return row;
+    if kind == 1u {
+        return test_disks(probe, begin, end, hit);
+    }
+    return test_triangles(probe, begin, end, hit);
 }
 
 // What the ray sees at its hit.

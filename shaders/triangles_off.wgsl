@@ -8,10 +8,8 @@ fn shear_of(ray: Ray) -> Shear {
     return Shear(0u);
 }
 
-fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
-}
-
-fn closest_triangle(probe: Probe, hit: ptr<function, Hit>) {
+fn test_triangles(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    return end;
 }
 
 fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {

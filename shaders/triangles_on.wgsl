@@ -33,11 +33,14 @@ fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     }
 }
 
-// Tests every triangle of the dispatch.
-fn closest_triangle(probe: Probe, hit: ptr<function, Hit>) {
-    for (var row = dispatch.triangles.begin; row < dispatch.triangles.end; row++) {
+// Tests the triangles in some rows, and tells the row that it came to: a driver may stop
+// a loop.
+fn test_triangles(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> u32 {
+    var row = begin;
+    for (; row < end; row++) {
         test_triangle(probe, row, hit);
     }
+    return row;
 }
 
 // The surface of the triangle that was hit.

@@ -1,5 +1,7 @@
 //! All disks: which one is nearest, and what is found there.
 
+use std::ops::Range;
+
 use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
 use super::disk::intersect_disk;
@@ -27,9 +29,9 @@ pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut H
     }
 }
 
-/// Tests every disk.
-pub fn closest_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for row in 0..flat.disks.len() as u32 {
+/// Tests the disks in some rows.
+pub fn test_disks<R: Real>(flat: &Flat<R>, probe: Probe<R>, rows: Range<u32>, hit: &mut Hit<R>) {
+    for row in rows {
         test_disk(flat, probe, row, hit);
     }
 }

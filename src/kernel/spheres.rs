@@ -1,5 +1,7 @@
 //! All spheres: which one is nearest, and what is found there.
 
+use std::ops::Range;
+
 use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
 use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
@@ -27,9 +29,9 @@ pub fn test_sphere<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut
     }
 }
 
-/// Tests every sphere.
-pub fn closest_sphere<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for row in 0..flat.spheres.len() as u32 {
+/// Tests the spheres in some rows.
+pub fn test_spheres<R: Real>(flat: &Flat<R>, probe: Probe<R>, rows: Range<u32>, hit: &mut Hit<R>) {
+    for row in rows {
         test_sphere(flat, probe, row, hit);
     }
 }

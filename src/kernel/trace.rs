@@ -4,16 +4,16 @@ use std::ops::Range;
 
 use super::background::background_color;
 use super::camera::{Ray, camera_ray};
-use super::disks::{closest_disk, disk_surface, test_disk};
+use super::disks::{disk_surface, test_disks};
 use super::hit::{Hit, no_hit};
 use super::lambert::scattered_light;
 use super::planes::{closest_plane, plane_surface};
 use super::probe::{Probe, probe_of};
 use super::real::Real;
 use super::screen::tile_of;
-use super::spheres::{closest_sphere, sphere_surface, test_sphere};
+use super::spheres::{sphere_surface, test_spheres};
 use super::tree::closest_hit;
-use super::triangles::{closest_triangle, test_triangle, triangle_surface};
+use super::triangles::{test_triangles, triangle_surface};
 use super::vector::{Vec3, vector_length};
 use super::volumes::closest_in_volumes;
 use crate::flat::Flat;
@@ -26,10 +26,10 @@ pub fn find_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     } else if !flat.volumes.is_empty() {
         closest_in_volumes(flat, probe, hit);
     } else {
-        closest_sphere(flat, probe, hit);
+        test_spheres(flat, probe, 0..flat.spheres.len() as u32, hit);
         closest_plane(flat, probe, hit);
-        closest_disk(flat, probe, hit);
-        closest_triangle(flat, probe, hit);
+        test_disks(flat, probe, 0..flat.disks.len() as u32, hit);
+        test_triangles(flat, probe, 0..flat.triangles.len() as u32, hit);
     }
 }
 
@@ -42,18 +42,12 @@ pub fn test_rows<R: Real>(
     hit: &mut Hit<R>,
 ) {
     if kind == 0 {
-        for row in rows {
-            test_sphere(flat, probe, row, hit);
-        }
-    } else if kind == 1 {
-        for row in rows {
-            test_disk(flat, probe, row, hit);
-        }
-    } else {
-        for row in rows {
-            test_triangle(flat, probe, row, hit);
-        }
+        return test_spheres(flat, probe, rows, hit);
     }
+    if kind == 1 {
+        return test_disks(flat, probe, rows, hit);
+    }
+    test_triangles(flat, probe, rows, hit);
 }
 
 /// What the ray sees at its hit, a primitive of the scene.

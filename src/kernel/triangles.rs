@@ -1,5 +1,7 @@
 //! All triangles: which one is nearest, and what is found there.
 
+use std::ops::Range;
+
 use super::aabb::{clamp_to_box, triangle_box};
 use super::camera::Ray;
 use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
@@ -56,9 +58,14 @@ pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &m
     }
 }
 
-/// Tests every triangle.
-pub fn closest_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for row in 0..flat.triangles.len() as u32 {
+/// Tests the triangles in some rows.
+pub fn test_triangles<R: Real>(
+    flat: &Flat<R>,
+    probe: Probe<R>,
+    rows: Range<u32>,
+    hit: &mut Hit<R>,
+) {
+    for row in rows {
         test_triangle(flat, probe, row, hit);
     }
 }
