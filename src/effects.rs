@@ -74,8 +74,17 @@ impl Fetch {
     /// Every way.
     pub const ALL: [Self; 3] = [Self::Storage, Self::Texture, Self::Uniform];
 
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Storage => "storage buffer",
+            Self::Texture => "texture",
+            Self::Uniform => "uniform buffer",
+        }
+    }
+
     /// Its shader file.
-    fn file(self) -> Source {
+    pub(crate) fn file(self) -> Source {
         match self {
             Self::Storage => file!("fetch_storage.wgsl"),
             Self::Texture => file!("fetch_texture.wgsl"),

@@ -8,6 +8,7 @@ use super::report;
 use rayproof::error::{Error, Result};
 use rayproof::gpu::adapter::{AdapterDescription, adapters};
 use rayproof::gpu::device::Gpu;
+use rayproof::gpu::fetch_probe::{FetchSpeed, fetch_speeds, is_confirmed};
 use rayproof::gpu::selfcheck::Arithmetic;
 
 /// What is known of one adapter.
@@ -20,6 +21,10 @@ struct Diagnosis {
     /// Pictures are expected to equal the CPU's bit for bit.
     bit_exact: bool,
     arithmetic: Option<Arithmetic>,
+    /// How fast the scene is read in each way, in the order in which they are chosen.
+    fetch: Vec<FetchSpeed>,
+    /// Whether that order is the fastest.
+    fetch_confirmed: Option<bool>,
     /// Why the device did not open.
     error: Option<String>,
 }
@@ -76,6 +81,8 @@ fn diagnose(adapter: &wgpu::Adapter) -> Diagnosis {
         (wgpu::Features::SUBGROUP, "subgroup"),
     ];
     let gpu = Gpu::open_adapter(adapter, None);
+    let speeds = gpu.as_ref().ok().map(fetch_speeds);
+    let fetch = speeds.and_then(Result::ok).unwrap_or_default();
     Diagnosis {
         adapter: AdapterDescription::of(adapter),
         limits: Limits {
@@ -89,6 +96,8 @@ fn diagnose(adapter: &wgpu::Adapter) -> Diagnosis {
             .filter(|(feature, _)| features.contains(*feature))
             .map(|(_, name)| name)
             .collect(),
+        fetch_confirmed: (!fetch.is_empty()).then(|| is_confirmed(&fetch)),
+        fetch,
         bit_exact: gpu.as_ref().is_ok_and(Gpu::is_bit_exact),
         arithmetic: gpu.as_ref().ok().map(|gpu| gpu.arithmetic.clone()),
         error: gpu.err().map(|error| error.to_string()),
@@ -119,6 +128,17 @@ fn summary(diagnosis: &Diagnosis) -> String {
     }
     if let Some(arithmetic) = &diagnosis.arithmetic {
         rows.extend(arithmetic_rows(arithmetic));
+    }
+    if let Some(confirmed) = diagnosis.fetch_confirmed {
+        let ways = diagnosis.fetch.iter();
+        let speeds = ways.map(|speed| format!("{} {:.1}", speed.fetch.name(), speed.ns_per_quad));
+        let order = if confirmed {
+            ""
+        } else {
+            ", not the fastest first"
+        };
+        let speeds = speeds.collect::<Vec<_>>().join(", ");
+        rows.push(("reading", format!("{speeds} ns a quad{order}")));
     }
     rows.push(("verdict", verdict(diagnosis).to_string()));
     report::table(&rows)

@@ -49,21 +49,26 @@ impl SceneMemory {
     }
 }
 
-/// Where this device reads this scene best: software from a uniform buffer what is
-/// small, and the rest from a texture; hardware from a storage buffer. What does not
-/// fit there lies where it fits.
-pub(super) fn best_fetch(gpu: &Gpu, scene: &PackedScene) -> Fetch {
-    let order = if gpu.adapter.is_software() {
+/// The ways of reading a scene, the best for this kind of device first: software reads
+/// what is small best from a uniform buffer, and the rest from a texture; hardware from a
+/// storage buffer. `doctor` measures whether that holds, see [`super::fetch_probe`].
+pub(super) fn order(gpu: &Gpu) -> [Fetch; 3] {
+    if gpu.adapter.is_software() {
         [Fetch::Uniform, Fetch::Texture, Fetch::Storage]
     } else {
         [Fetch::Storage, Fetch::Texture, Fetch::Uniform]
-    };
+    }
+}
+
+/// The first way of the order in which the scene fits.
+pub(super) fn best_fetch(gpu: &Gpu, scene: &PackedScene) -> Fetch {
+    let order = order(gpu);
     let fits = |fetch: &Fetch| scene.bytes() <= capacity(gpu, *fetch);
     order.into_iter().find(fits).unwrap_or(order[1])
 }
 
 /// Bytes that can be read in one way.
-fn capacity(gpu: &Gpu, fetch: Fetch) -> u64 {
+pub(super) fn capacity(gpu: &Gpu, fetch: Fetch) -> u64 {
     let limits = &gpu.limits;
     match fetch {
         Fetch::Storage => limits

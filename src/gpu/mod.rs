@@ -12,6 +12,7 @@ pub mod device;
 #[cfg(test)]
 mod divide_tests;
 pub mod exact;
+pub mod fetch_probe;
 mod kernel;
 mod memory;
 mod pace;

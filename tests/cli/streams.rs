@@ -10,7 +10,7 @@ const STATS: &str = "scene backend adapter driver width height samples accuracy 
                      primitives seconds trace_ms rays mrays_per_s build_ms device_bytes";
 const COMPARISON: &str = "left right pixels different_pixels max_abs rmse psnr_db flip \
                           id_mismatches max_ulp pass tolerance";
-const ADAPTER: &str = "name driver type backend limits features arithmetic";
+const ADAPTER: &str = "name driver type backend limits features arithmetic fetch";
 const ARITHMETIC: &str = "two_sum two_prod contraction fma_fused division_ulp sqrt_ulp denormals \
                           f64 f64_ulp loop_budget";
 
