@@ -87,7 +87,7 @@ struct Tables {
 }
 
 // A level of the quad-tree over the screen.
-struct Split {
+struct ScreenLevel {
     side: u32,
     across: u32,
     first: u32,

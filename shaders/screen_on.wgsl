@@ -4,7 +4,7 @@
 // Bit e of a tile's words: whether its rays may meet entry e of the list of volumes.
 // First the smallest tiles' words, then level by level those of larger ones.
 @group(0) @binding(8) var<storage, read_write> masks: array<u32>;
-@group(0) @binding(9) var<uniform> split: Split;
+@group(0) @binding(9) var<uniform> split: ScreenLevel;
 
 // Entries of a word.
 const WORD: u32 = 32u;

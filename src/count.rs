@@ -4,6 +4,8 @@ use std::ops::{Add, AddAssign};
 
 use serde::Serialize;
 
+use crate::error::{Error, Result};
+use crate::kernel::hit::GIVEN_UP;
 use crate::ramp::ramp_color;
 
 /// What rays tested.
@@ -34,6 +36,10 @@ impl AddAssign for Counters {
         *self = *self + other;
     }
 }
+
+/// Bytes a pixel that counting takes beside the frame: what each ray counted, then the
+/// heat map, outlines and what they are found by, or channels of an EXR.
+pub const COUNT_BYTES: u64 = 12 + 3 + 1 + 8;
 
 /// What one ray tested.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -73,6 +79,26 @@ impl CountLayer {
             Self::Tests => counted.shape_tests,
             Self::Bounds => counted.bound_tests,
         }
+    }
+}
+
+impl Counted {
+    /// What a ray counted, unless it was given up on its way.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Limit`] if it was.
+    pub fn of(bound_tests: u32, bound_hits: u32, shape_tests: u32) -> Result<Self> {
+        if shape_tests == GIVEN_UP {
+            return Err(Error::Limit(
+                "a ray meets too many volumes to be counted: add `--bounds none`".into(),
+            ));
+        }
+        Ok(Self {
+            bound_tests,
+            bound_hits,
+            shape_tests,
+        })
     }
 }
 
@@ -137,6 +163,8 @@ mod tests {
         assert_eq!(tests[..3], [0; 3]);
         assert_eq!(tests[3..], ramp_color(1.0));
         assert_eq!(map.to_rgb8(CountLayer::Bounds)[..3], ramp_color(1.0));
+        assert!(Counted::of(1, 1, GIVEN_UP).is_err());
+        assert_eq!(Counted::of(u32::MAX, 1, 4).unwrap(), map.pixels[1]);
         assert_eq!(CountMap::default().greatest(CountLayer::Tests), 0);
     }
 }

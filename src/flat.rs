@@ -1,9 +1,12 @@
 //! The scene as plain arrays, which both tracers read.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use serde::Serialize;
 
+use crate::bounds::screen::tile_masks;
+use crate::kernel::real::Real;
 use crate::layout::{
     BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane, QUAD, Sphere,
     Surroundings, Volume,
@@ -67,9 +70,8 @@ pub struct Flat<R> {
     pub boxes: Vec<BoxRecord>,
     /// Words of a tile's mask; 0 where the screen is not divided.
     pub tile_words: u32,
-    /// The masks of the screen's smallest tiles, row by row: in bit e, whether a ray of
-    /// the tile may meet volume e. The shaders compute their own.
-    pub tile_masks: Vec<u32>,
+    /// See [`Flat::tile_masks`].
+    pub tile_masks: OnceLock<Vec<u32>>,
     /// The bounding volume hierarchy, the root first; empty where there is none.
     pub pairs: Vec<Pair>,
 }
@@ -115,6 +117,16 @@ impl<R> Flat<R> {
     /// The id of the first triangle.
     pub fn first_triangle(&self) -> u32 {
         self.first_disk() + self.disks.len() as u32
+    }
+
+    /// The masks of the screen's smallest tiles, row by row: in bit e, whether a ray of the
+    /// tile may meet volume e. The CPU finds them when it first asks; the shaders find
+    /// their own.
+    pub fn tile_masks(&self) -> &[u32]
+    where
+        R: Real,
+    {
+        self.tile_masks.get_or_init(|| tile_masks(self))
     }
 
     /// The kind of a primitive that is not a plane, and its number within the kind.

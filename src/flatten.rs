@@ -7,6 +7,7 @@
 mod mesh;
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use glam::{DMat3, DVec3};
 
@@ -55,7 +56,7 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         balls: Vec::new(),
         boxes: Vec::new(),
         tile_words: 0,
-        tile_masks: Vec::new(),
+        tile_masks: OnceLock::new(),
         pairs: Vec::new(),
     };
     for material in &scene.materials {

@@ -294,7 +294,7 @@ records! {
     }
 
     /// A level of the quad-tree over the screen.
-    Split {
+    ScreenLevel {
         /// Pixels of a tile's side.
         side: u32,
         /// Tiles side by side.

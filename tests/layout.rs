@@ -52,7 +52,7 @@ fn host_structs_lie_as_the_shaders_read_them() {
         mismatch::<Surroundings>(&program),
         mismatch::<Tables>(&program),
         mismatch::<Run>(&program),
-        mismatch::<Split>(&program),
+        mismatch::<ScreenLevel>(&program),
         mismatch::<Dispatch>(&program),
         mismatch::<HitRecord>(&program),
         mismatch::<Pixel>(&program),

@@ -32,7 +32,7 @@ use serde::Serialize;
 
 use self::arrange::arrange;
 use self::pairs::pack_pairs;
-use self::screen::divide_screen;
+use self::screen::words_of_tile;
 use self::volumes::{Listing, list_volumes};
 use crate::flat::Flat;
 use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
@@ -106,7 +106,7 @@ pub fn bound<R: Real>(flat: &mut Flat<R>, bounds: Bounds) {
         Bounds::Boxes { levels } => list_volumes(flat, Listing::Boxes(levels)),
         Bounds::Screen { levels } => {
             list_volumes(flat, Listing::Balls(levels));
-            divide_screen(flat);
+            flat.tile_words = words_of_tile(flat.size, flat.volumes.len() as u32);
         }
         Bounds::Tree => grow_tree(flat),
     }

@@ -65,21 +65,35 @@ pub fn outlines<R: Real>(flat: &Flat<R>) -> Vec<bool> {
     (0..width * height).map(differs).collect()
 }
 
+/// The volumes of the list, level by level.
 fn of_list<R: Real>(flat: &Flat<R>) -> Vec<Shown<R>> {
-    let bounds = flat.volumes.iter().map(|volume| volume.bound);
-    let bounds = bounds.filter(|&bound| bound != EVERYTHING).take(MOST);
-    bounds
-        .map(|bound| {
-            if bound & BOX == 0 {
-                return Shown::Ball(flat.balls[bound as usize]);
+    let mut bounds = Vec::new();
+    let mut level = vec![0..flat.volumes.len() as u32];
+    while !level.is_empty() && bounds.len() < MOST {
+        let mut below = Vec::new();
+        for entries in level {
+            let mut entry = entries.start;
+            while entry < entries.end {
+                let volume = flat.volumes[entry as usize];
+                bounds.extend((volume.bound != EVERYTHING).then_some(volume.bound));
+                below.push(entry + 1..volume.skip);
+                entry = volume.skip;
             }
-            let record = flat.boxes[(bound ^ BOX) as usize];
-            Shown::Box(Aabb {
-                low: Vec3::from(record.low),
-                high: Vec3::from(record.high),
-            })
+        }
+        below.retain(|entries| !entries.is_empty());
+        level = below;
+    }
+    let shown = |bound: u32| {
+        if bound & BOX == 0 {
+            return Shown::Ball(flat.balls[bound as usize]);
+        }
+        let record = flat.boxes[(bound ^ BOX) as usize];
+        Shown::Box(Aabb {
+            low: Vec3::from(record.low),
+            high: Vec3::from(record.high),
         })
-        .collect()
+    };
+    bounds.into_iter().take(MOST).map(shown).collect()
 }
 
 /// The boxes of the pairs, level by level.
@@ -110,25 +124,39 @@ mod tests {
     use crate::flatten::flatten;
     use crate::scene::Scene;
 
-    fn outlined(bounds: Bounds) -> usize {
+    fn outlined(bounds: Bounds) -> Vec<bool> {
         let file = concat!(
             env!("CARGO_MANIFEST_DIR"),
             "/assets/scenes/seed-spheres.toml"
         );
         let mut flat = flatten::<f32>(&Scene::load(file).unwrap().with_size(200, 200));
         bound(&mut flat, bounds);
-        let outlines = outlines(&flat);
-        // Balls end within the picture: no outline along its edge.
-        assert!(outlines[..150].iter().all(|outline| !outline));
+        outlines(&flat)
+    }
+
+    fn count(outlines: &[bool]) -> usize {
         outlines.iter().filter(|outline| **outline).count()
     }
 
     #[test]
     fn balls_have_thin_outlines() {
-        // Two circles of radius 38 pixels, at most two pixels thick.
-        let pixels = outlined(Bounds::Scene);
+        let outlines = outlined(Bounds::Scene);
+        // Balls end within the picture: no outline along its edge.
+        assert!(outlines[..150].iter().all(|outline| !outline));
+        // Two circles of a radius of 38 pixels, at most two pixels thick.
+        let pixels = count(&outlines);
         assert!((400..1000).contains(&pixels), "{pixels}");
-        assert!(outlined(Bounds::Tree) > 0);
-        assert_eq!(outlined(Bounds::None), 0);
+        assert_eq!(count(&outlined(Bounds::None)), 0);
+    }
+
+    /// More than can be drawn: those of both groups are.
+    #[test]
+    fn the_outermost_are_drawn() {
+        let deep = Bounds::Spheres { levels: 5 };
+        for bounds in [Bounds::Boxes { levels: 1 }, deep, Bounds::Tree] {
+            let outlines = outlined(bounds);
+            let (upper, lower) = outlines.split_at(outlines.len() / 2);
+            assert!(count(upper) > 100 && count(lower) > 100, "{bounds:?}");
+        }
     }
 }

@@ -1,38 +1,44 @@
 //! The screen as a quad-tree, from the whole of it down to tiles of 8 pixels.
 
-use std::num::NonZeroU32;
-
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::kernel::screen::{WORD, all_of_word, cone_of_tile, met_by_cone};
-use crate::layout::Split;
+use crate::layout::ScreenLevel;
 
 /// Pixels of the smallest tile's side, as `tile_of` has it.
 const SIDE: u32 = 8;
 
-/// Words of all masks at most: 64 MiB. Volumes past that are left to the rays.
-const MOST_WORDS: u32 = 1 << 24;
+/// Words of all masks at most: 128 MiB, what every device binds. The largest picture, of
+/// 32768 x 32768, has 22 million tiles.
+const MOST_WORDS: u32 = 1 << 25;
 
-/// Divides the screen for a list of volumes.
-pub(super) fn divide_screen<R: Real>(flat: &mut Flat<R>) {
-    let tiles: u32 = levels(flat.size, 1).iter().map(|level| level.tiles()).sum();
-    let entries = flat.volumes.len() as u32;
-    flat.tile_words = entries.div_ceil(WORD).min(MOST_WORDS / tiles);
-    let Some(words) = NonZeroU32::new(flat.tile_words) else {
-        return;
-    };
+/// Words of a row of tiles at most: 64 to a workgroup, of which a dispatch has so many
+/// side by side.
+const MOST_ACROSS: u32 = 64 * 65_535;
+
+/// How many words a tile's mask takes for a number of volumes. Volumes past what there
+/// is room for are left to the rays.
+pub(super) fn words_of_tile(size: [u32; 2], volumes: u32) -> u32 {
+    let levels = levels(size, 1);
+    let tiles: u32 = levels.iter().map(|level| level.tiles()).sum();
+    let room = (MOST_WORDS / tiles).min(MOST_ACROSS / levels[0].split.across);
+    volumes.div_ceil(WORD).min(room)
+}
+
+/// The masks of the smallest tiles, found on the CPU.
+pub fn tile_masks<R: Real>(flat: &Flat<R>) -> Vec<u32> {
     let mut above: Vec<u32> = Vec::new();
-    for level in levels(flat.size, words.get()).iter().rev() {
-        above = masks(flat, words, level, &above);
+    for level in levels(flat.size, flat.tile_words).iter().rev() {
+        above = masks(flat, level, &above);
     }
-    flat.tile_masks = above;
+    above
 }
 
 /// A level of the tree.
 #[derive(Debug, Clone, Copy)]
 pub struct Level {
     /// For the shader; masks begin at words, not at tiles.
-    pub split: Split,
+    pub split: ScreenLevel,
     /// Rows of tiles.
     pub down: u32,
 }
@@ -57,7 +63,7 @@ pub fn levels(size: [u32; 2], words: u32) -> Vec<Level> {
         }
         let is_root = across == 1 && down == 1;
         levels.push(Level {
-            split: Split {
+            split: ScreenLevel {
                 side,
                 across,
                 first,
@@ -77,15 +83,15 @@ pub fn levels(size: [u32; 2], words: u32) -> Vec<Level> {
 }
 
 /// The masks of a level's tiles, from those of the level above.
-fn masks<R: Real>(flat: &Flat<R>, words: NonZeroU32, level: &Level, above: &[u32]) -> Vec<u32> {
-    let Split {
+fn masks<R: Real>(flat: &Flat<R>, level: &Level, above: &[u32]) -> Vec<u32> {
+    let ScreenLevel {
         side,
         across,
         is_root,
         parent_across,
         ..
     } = level.split;
-    let words = words.get();
+    let words = flat.tile_words;
     let mut masks = Vec::with_capacity((level.tiles() * words) as usize);
     for (x, y) in (0..level.down).flat_map(|y| (0..across).map(move |x| (x, y))) {
         let cone = cone_of_tile(flat, x * side, y * side, side);
@@ -105,6 +111,26 @@ fn masks<R: Real>(flat: &Flat<R>, words: NonZeroU32, level: &Level, above: &[u32
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn masks_fit_what_every_device_has() {
+        assert_eq!(words_of_tile([1000, 1000], 2), 1);
+        assert_eq!(words_of_tile([1000, 1000], 33), 2);
+        for (size, volumes) in [
+            ([32768, 32768], 1 << 20),
+            ([32768, 8], 1 << 20),
+            ([8, 32768], u32::MAX),
+            ([1, 1], 1 << 20),
+        ] {
+            let words = words_of_tile(size, volumes);
+            assert!(words > 0, "{size:?}");
+            let levels = levels(size, words);
+            let root = levels[levels.len() - 1].split;
+            assert!(root.first + words <= MOST_WORDS, "{size:?}");
+            let across = levels[0].split.across * words;
+            assert!(across.div_ceil(64) <= 65_535, "{size:?}");
+        }
+    }
 
     #[test]
     fn levels_halve_the_tiles() {

@@ -235,7 +235,8 @@ impl<'a> Case<'a> {
             complete &= frame.keep_rows(row, pixels);
         })?;
         let seconds = started.elapsed().as_secs_f64();
-        if turn.warm_up {
+        // What warmed up does not count.
+        if turn.warm_up || turn.number == 1 {
             self.device_seconds.clear();
         }
         self.device_seconds.extend(by_device);

@@ -10,7 +10,7 @@ use super::flags::{Common, RenderArguments};
 use super::progress::Progress;
 use super::report::{self, table};
 use super::shown::{Material, Shown, one_layer_of};
-use rayproof::count::CountMap;
+use rayproof::count::{COUNT_BYTES, CountMap};
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, Frame};
 use rayproof::render::{Rendering, Stats, count, render};
@@ -54,7 +54,10 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
         frame::check_writable(path)?;
     }
     let scene = arguments.tracing.place.load(&arguments.scene)?;
-    Frame::check_memory(scene.image.width, scene.image.height, format.packing())?;
+    let counts = arguments.count || shown.iter().any(|shown| shown.is_counted());
+    let counting = if counts { COUNT_BYTES } else { 0 };
+    let (width, height) = (scene.image.width, scene.image.height);
+    Frame::check_memory(width, height, format.packing() + counting)?;
     let settings = arguments.tracing.settings()?;
     let backend = arguments.tracing.open_backend()?;
     tracing::info!("rendering on {}", backend.describe());
@@ -63,7 +66,7 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     let mut rendering = render(&scene, &backend, settings, &progress)?;
     drop(progress);
     let mut counted = CountMap::default();
-    if arguments.count || shown.iter().any(|shown| shown.is_counted()) {
+    if counts {
         let progress = Progress::new(common, "counting");
         counted = count(&scene, &backend, settings, &progress)?;
         rendering.stats.counters = Some(counted.sum());

@@ -70,7 +70,7 @@ pub fn count<R: Real>(
             return Err(Error::Interrupted);
         }
         for (x, counted) in (0..).zip(row) {
-            *counted = count_pixel(flat, x, y as u32);
+            *counted = count_pixel(flat, x, y as u32)?;
         }
         let done = rows_done.fetch_add(1, Ordering::Relaxed) + 1;
         watch.progress(done as f64 / f64::from(height));
@@ -83,16 +83,12 @@ pub fn count<R: Real>(
     Ok(CountMap { width, pixels })
 }
 
-fn count_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Counted {
+fn count_pixel<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Result<Counted> {
     let mut hit = no_hit();
     hit.tile = tile_of(flat.size, x, y);
     let ray = camera_ray(&flat.camera, flat.size, x, y);
     find_hit(flat, probe_of(ray), &mut hit);
-    Counted {
-        bound_tests: hit.bound_tests,
-        bound_hits: hit.bound_hits,
-        shape_tests: hit.tests,
-    }
+    Counted::of(hit.bound_tests, hit.bound_hits, hit.tests)
 }
 
 fn pool_of(threads: Option<NonZeroUsize>) -> Result<ThreadPool> {

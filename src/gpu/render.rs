@@ -206,11 +206,12 @@ impl<'a> Prepared<'a> {
         keep_rows: &mut dyn FnMut(u32, &[Pixel]),
     ) -> Result<()> {
         self.pace.start_anew();
-        let mut counted = Vec::new();
+        let pixels = self.flat.size[0] as usize * self.flat.size[1] as usize;
+        let mut counted = Vec::with_capacity(if self.count { pixels } else { 0 });
         let mut seconds = Seconds::default();
-        seconds.trace += self
-            .screen
-            .divide(self.gpu, &self.kernel, &self.stage, self.flat)?;
+        seconds.trace +=
+            self.screen
+                .divide(self.gpu, &self.kernel, &self.stage, self.flat, watch)?;
         let height = self.flat.size[1];
         let mut first_row = 0;
         while first_row < height {
@@ -224,6 +225,7 @@ impl<'a> Prepared<'a> {
             let orders = tile.orders(self.flat, 0..0);
             seconds.shade += self.dispatch("shade_tile", tile, &orders)?;
             let mut checked = Ok(());
+            let mut tests = Vec::new();
             let pixels = self.flat.size[0] * rows;
             self.stage.look_at_pixels(self.gpu, pixels, &mut |pixels| {
                 if !self.has_volumes() {
@@ -233,19 +235,14 @@ impl<'a> Prepared<'a> {
                     keep_rows(first_row, pixels);
                 }
                 if self.count {
-                    counted.extend(pixels.iter().map(|pixel| Counted {
-                        shape_tests: pixel.tests,
-                        ..Counted::default()
-                    }));
+                    tests.extend(pixels.iter().map(|pixel| pixel.tests));
                 }
             })?;
             checked?;
             if self.count {
                 let counts = self.stage.read_counts(self.gpu, pixels)?;
-                let first = (first_row * self.flat.size[0]) as usize;
-                for (counted, [tested, met]) in counted[first..].iter_mut().zip(counts) {
-                    counted.bound_tests = tested;
-                    counted.bound_hits = met;
+                for ([tested, met], tests) in counts.into_iter().zip(tests) {
+                    counted.push(Counted::of(tested, met, tests)?);
                 }
             }
             first_row += rows;

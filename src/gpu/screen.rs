@@ -7,9 +7,10 @@ use super::kernel::Kernel;
 use super::stage::Stage;
 use super::tile::Tile;
 use crate::bounds::screen::{Level, levels};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::flat::Flat;
-use crate::layout::Split;
+use crate::layout::ScreenLevel;
+use crate::watch::Watch;
 
 /// Invocations of a workgroup of `split_tiles`.
 const WORKGROUP: u32 = 64;
@@ -43,7 +44,7 @@ impl Screen {
             levels,
             words,
             masks: gpu.create_buffer("masks", bytes, working)?,
-            split: gpu.create_buffer("split", size_of::<Split>() as u64, uniform)?,
+            split: gpu.create_buffer("split", size_of::<ScreenLevel>() as u64, uniform)?,
         })
     }
 
@@ -52,13 +53,14 @@ impl Screen {
     ///
     /// # Errors
     ///
-    /// As [`Gpu::wait`].
+    /// As [`Gpu::wait`]; [`Error::Interrupted`] when `watch` says so.
     pub(super) fn divide(
         &self,
         gpu: &Gpu,
         kernel: &Kernel,
         stage: &Stage,
         flat: &Flat<f32>,
+        watch: &dyn Watch,
     ) -> Result<f64> {
         let whole = Tile {
             first_row: 0,
@@ -68,6 +70,9 @@ impl Screen {
         let orders = whole.orders(flat, 0..0);
         let mut seconds = 0.0;
         for level in self.levels.iter().rev() {
+            if watch.cancelled() {
+                return Err(Error::Interrupted);
+            }
             gpu.queue
                 .write_buffer(&self.split, 0, bytemuck::bytes_of(&level.split));
             let across = (level.split.across * self.words).div_ceil(WORKGROUP);

@@ -21,7 +21,7 @@ pub fn is_on_tile<R: Real>(flat: &Flat<R>, tile: u32, entry: u32) -> bool {
     if word >= flat.tile_words {
         return true;
     }
-    let bits = flat.tile_masks[(tile * flat.tile_words + word) as usize];
+    let bits = flat.tile_masks()[(tile * flat.tile_words + word) as usize];
     (bits >> (entry % WORD)) & 1 == 1
 }
 
