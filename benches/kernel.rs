@@ -1,6 +1,6 @@
 //! The intersections one by one, and the ways through the volumes, in f32 and f64.
 //!
-//! `cargo bench --bench kernel`. Every bench goes through the same 1,000 rays of a
+//! `cargo bench --bench kernel`. Every bench goes through the same 1,024 rays of a
 //! picture; `items` are rays.
 
 use std::sync::LazyLock;

@@ -91,6 +91,7 @@ fn odd_sizes() {
 fn an_empty_scene_is_background() {
     let scene = Scene {
         shapes: Vec::new(),
+        groups: Vec::new(),
         ..scene("shapes").with_size(40, 30)
     };
     let frame = on_gpu(&scene);

@@ -9,7 +9,7 @@ use super::Outcome;
 use super::flags::{Common, RenderArguments};
 use super::progress::Progress;
 use super::report::{self, table};
-use super::shown::{Material, Shown, one_layer_of};
+use super::shown::{Shown, Written, one_layer_of};
 use rayproof::count::{COUNT_BYTES, CountMap};
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, Frame};
@@ -75,15 +75,15 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     if broken > 0 {
         tracing::warn!("{broken} pixels have a colour that is infinite or not a number");
     }
-    let material = Material {
+    let written = Written {
         scene: &scene,
         settings,
         frame: &rendering.frame,
         counted: &counted,
     };
     match format {
-        Format::Png => material.write_png(&arguments.output, shown[0], scene.image.transfer)?,
-        Format::Exr => material.write_exr(&arguments.output, &shown)?,
+        Format::Png => written.write_png(&arguments.output, shown[0], scene.image.transfer)?,
+        Format::Exr => written.write_exr(&arguments.output, &shown)?,
     }
 
     let figures = Figures {

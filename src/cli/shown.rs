@@ -51,7 +51,7 @@ impl FromStr for Shown {
 }
 
 /// What a picture is written from.
-pub(super) struct Material<'a> {
+pub(super) struct Written<'a> {
     pub(super) scene: &'a Scene,
     pub(super) settings: Settings,
     pub(super) frame: &'a Frame,
@@ -59,7 +59,7 @@ pub(super) struct Material<'a> {
     pub(super) counted: &'a CountMap,
 }
 
-impl Material<'_> {
+impl Written<'_> {
     /// Writes a PNG of one layer. A heat map of the volumes has their outlines in it.
     ///
     /// # Errors

@@ -32,10 +32,10 @@ const ROWS_PER_THREAD: u32 = 16;
 /// takes minutes in which nothing can stop it.
 pub const MAX_THREADS: usize = 1024;
 
-/// Pixels of a tile's side: rays that go through the same nodes follow one another, and
+/// Pixels of a patch's side: rays that go through the same nodes follow one another, and
 /// between two looks at the watch there is one row of them, each of which may test ten
 /// million primitives.
-const TILE: usize = 16;
+const PATCH: usize = 16;
 
 /// Renders a flattened scene, once: [`Prepared::new`], then [`Prepared::run`].
 ///
@@ -145,16 +145,16 @@ impl<'a, R: Real> Prepared<'a, R> {
         while first_row < height {
             let rows = band.min(height - first_row);
             let mut pixels = vec![Pixel::default(); rows as usize * width as usize];
-            let mut tiles = tiles_of(&mut pixels, width as usize);
+            let mut patches = patches_of(&mut pixels, width as usize);
             self.pool.install(|| {
-                tiles
+                patches
                     .par_iter_mut()
-                    .try_for_each_init(search, |search, tile| {
-                        for (y, row) in (first_row + tile.y..).zip(&mut tile.rows) {
+                    .try_for_each_init(search, |search, patch| {
+                        for (y, row) in (first_row + patch.y..).zip(&mut patch.rows) {
                             if watch.cancelled() {
                                 return Err(Error::Interrupted);
                             }
-                            for (x, pixel) in (tile.x..).zip(row.iter_mut()) {
+                            for (x, pixel) in (patch.x..).zip(row.iter_mut()) {
                                 *pixel = self.trace_pixel(search, x, y);
                             }
                             let count = row.len() as u64;
@@ -180,28 +180,28 @@ impl<'a, R: Real> Prepared<'a, R> {
 }
 
 /// A square of a band of rows, or what there is of it.
-struct Tile<'p> {
+struct Patch<'p> {
     x: u32,
     /// From the band's first row.
     y: u32,
     rows: Vec<&'p mut [Pixel]>,
 }
 
-/// The tiles of some rows, strip by strip.
-fn tiles_of(pixels: &mut [Pixel], width: usize) -> Vec<Tile<'_>> {
-    let mut tiles: Vec<Tile<'_>> = Vec::new();
+/// The patches of some rows, strip by strip.
+fn patches_of(pixels: &mut [Pixel], width: usize) -> Vec<Patch<'_>> {
+    let mut patches: Vec<Patch<'_>> = Vec::new();
     for (y, row) in pixels.chunks_mut(width).enumerate() {
-        if y.is_multiple_of(TILE) {
-            tiles.extend((0..width).step_by(TILE).map(|x| Tile {
+        if y.is_multiple_of(PATCH) {
+            patches.extend((0..width).step_by(PATCH).map(|x| Patch {
                 x: x as u32,
                 y: y as u32,
-                rows: Vec::with_capacity(TILE),
+                rows: Vec::with_capacity(PATCH),
             }));
         }
-        let strip = tiles.len() - width.div_ceil(TILE);
-        for (tile, part) in tiles[strip..].iter_mut().zip(row.chunks_mut(TILE)) {
-            tile.rows.push(part);
+        let strip = patches.len() - width.div_ceil(PATCH);
+        for (patch, part) in patches[strip..].iter_mut().zip(row.chunks_mut(PATCH)) {
+            patch.rows.push(part);
         }
     }
-    tiles
+    patches
 }

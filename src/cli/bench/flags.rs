@@ -52,7 +52,7 @@ pub(in crate::cli) struct BenchArguments {
     /// Bounding volumes, side by side; all of them if not given
     #[arg(long, value_enum, value_name = "LIST", value_delimiter = ',')]
     bounds: Vec<BoundsChoice>,
-    /// Levels of spheres or boxes
+    /// Levels of spheres or boxes, those of the screen too
     #[arg(long, value_name = "N", default_value_t = ONE_LEVEL, value_parser = parse_levels)]
     levels: u32,
     /// Count what the rays test, in a run of its own
