@@ -73,12 +73,40 @@ fn next_waiting(stack: ptr<function, array<u32, STACK>>, depth: ptr<function, u3
     return (*stack)[*depth];
 }
 
-// The nearest of all primitives: of the planes, which no volume holds, then of
-// those in the tree, the nearer child of each pair first.
+// Tests the boxes of a pair's children and tells where to go on: to the one that is met
+// and, if both are, to the nearer one while the other waits.
+fn visit_pair(
+    probe: Probe,
+    at: u32,
+    stack: ptr<function, array<u32, STACK>>,
+    depth: ptr<function, u32>,
+    hit: ptr<function, Hit>,
+) -> u32 {
+    let children = children_of(at);
+    let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
+    let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
+    let to_left = may_be_nearer(left, *hit);
+    let to_right = may_be_nearer(right, *hit);
+    count_bound(hit, to_left);
+    count_bound(hit, to_right);
+    let left_first = to_left && (!to_right || left.enter <= right.enter);
+    var next = select(children.right, children.left, left_first);
+    if to_left && to_right {
+        (*stack)[*depth] = select(children.left, children.right, left_first);
+        *depth += 1u;
+    }
+    if !(to_left || to_right) {
+        next = next_waiting(stack, depth);
+    }
+    return next;
+}
+
+// The nearest of all primitives: of the planes, which no volume holds, then of those in
+// the tree, the nearer child of each pair first.
 //
-// While there are pairs, pairs; then a leaf: lanes that run together are thus
-// mostly at the same. Aila, Laine, "Understanding the Efficiency of Ray Traversal
-// on GPUs", HPG 2009, section 3.
+// While there are pairs, pairs; then a leaf: lanes that run together are thus mostly at
+// the same. Aila, Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG
+// 2009, section 3.
 fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
     closest_plane(probe, hit);
     var stack: array<u32, STACK>;
@@ -88,22 +116,7 @@ fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
     while at != NOWHERE && visits < MOST_VISITS {
         while (at & LEAF) == 0u && visits < MOST_VISITS {
             visits++;
-            let children = children_of(at);
-            let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
-            let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
-            let to_left = may_be_nearer(left, *hit);
-            let to_right = may_be_nearer(right, *hit);
-            count_bound(hit, to_left);
-            count_bound(hit, to_right);
-            let left_first = to_left && (!to_right || left.enter <= right.enter);
-            at = select(children.right, children.left, left_first);
-            if to_left && to_right {
-                stack[depth] = select(children.left, children.right, left_first);
-                depth++;
-            }
-            if !(to_left || to_right) {
-                at = next_waiting(&stack, &depth);
-            }
+            at = visit_pair(probe, at, &stack, &depth, hit);
         }
         if at != NOWHERE && (at & LEAF) != 0u && test_leaf(probe, at, hit) {
             visits++;
@@ -116,8 +129,8 @@ fn closest_hit(probe: Probe, hit: ptr<function, Hit>) {
 }
 
 // Whether anything is met no later than at `limit`: of shadow rays that is all there is
-// to know. The first hit ends it, so the order does not matter. A ray that is given up
-// counts as blocked, and `tests` tells.
+// to know. The first hit ends it. A ray that is given up counts as blocked, and `tests`
+// tells.
 fn any_hit(probe: Probe, limit: real, hit: ptr<function, Hit>) -> bool {
     (*hit).t = limit;
     closest_plane(probe, hit);
@@ -128,31 +141,19 @@ fn any_hit(probe: Probe, limit: real, hit: ptr<function, Hit>) -> bool {
     while at != NOWHERE && (*hit).id == NO_HIT && visits < MOST_VISITS {
         while (at & LEAF) == 0u && visits < MOST_VISITS {
             visits++;
-            let children = children_of(at);
-            let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
-            let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
-            let to_left = may_be_nearer(left, *hit);
-            let to_right = may_be_nearer(right, *hit);
-            count_bound(hit, to_left);
-            count_bound(hit, to_right);
-            at = select(children.right, children.left, to_left);
-            if to_left && to_right {
-                stack[depth] = children.right;
-                depth++;
-            }
-            if !(to_left || to_right) {
-                at = next_waiting(&stack, &depth);
-            }
+            at = visit_pair(probe, at, &stack, &depth, hit);
         }
         if at != NOWHERE && (at & LEAF) != 0u && test_leaf(probe, at, hit) {
             visits++;
             at = next_waiting(&stack, &depth);
         }
     }
-    let met = (*hit).id != NO_HIT;
-    if !met && (at != NOWHERE || depth > 0u) {
+    if (*hit).id != NO_HIT {
+        return true;
+    }
+    if at != NOWHERE || depth > 0u {
         (*hit).tests = GIVEN_UP;
         return true;
     }
-    return met;
+    return false;
 }

@@ -2,6 +2,7 @@
 
 use rayproof::effects::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Fetch, select_files};
 use rayproof::gpu::program::{Access, Binding, Program, StructLayout, struct_layout};
+use rayproof::kernel::cone::{CONE_SLACK, WIDE};
 use rayproof::kernel::hit::GIVEN_UP;
 use rayproof::kernel::screen::WORD;
 use rayproof::kernel::tree::{MOST_VISITS, STACK};
@@ -167,6 +168,16 @@ fn constant(shader: &str, name: &str) -> Option<u32> {
     }
 }
 
+/// The value of a WGSL constant that is a number or a quotient of two.
+fn number(shader: &str, name: &str) -> Option<f32> {
+    let (_, value) = shader.split_once(&format!("const {name}: f32 = "))?;
+    let (dividend, divisor) = match value.split(';').next()?.split_once(" / ") {
+        Some((dividend, divisor)) => (dividend, divisor.parse().ok()?),
+        None => (value.split(';').next()?, 1.0),
+    };
+    Some(dividend.parse::<f32>().ok()? / divisor)
+}
+
 /// What both sides must agree on and both write down.
 #[test]
 fn constants_are_the_hosts() {
@@ -190,6 +201,12 @@ fn constants_are_the_hosts() {
         (hit, "GIVEN_UP", GIVEN_UP),
     ] {
         assert_eq!(constant(shader, name), Some(value), "{name}");
+    }
+    let cone = include_str!("../shaders/cone.wgsl");
+    for (name, value) in [("WIDE", WIDE), ("CONE_SLACK", CONE_SLACK)] {
+        let of_shader = number(cone, name);
+        assert_eq!(of_shader, Some(value), "{name}");
+        assert_ne!(of_shader, Some(value.next_up()), "the control: {name}");
     }
     // The controls: another value, and a name that is not there.
     assert_ne!(

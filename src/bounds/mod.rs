@@ -34,7 +34,7 @@ use self::arrange::arrange;
 use self::pairs::pack_pairs;
 use self::screen::words_of_tile;
 use self::volumes::{Listing, list_volumes};
-use crate::flat::Flat;
+use crate::flat::{Flat, Kind};
 use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
 use crate::kernel::real::Real;
 use crate::kernel::triangles::triangle_of;
@@ -121,28 +121,30 @@ fn grow_tree<R: Real>(flat: &mut Flat<R>) {
     });
 }
 
+/// The own box of the primitive in a row of its kind's table.
+pub fn box_of_row<R: Real>(flat: &Flat<R>, kind: Kind, row: usize) -> Aabb {
+    let ball = |center: [R; 3], radius: R| ball_box(Vec3::from(center).to_f32(), radius.to_f32());
+    match kind {
+        Kind::Sphere => ball(flat.spheres[row].center, flat.spheres[row].radius),
+        Kind::Disk => ball(flat.disks[row].center, flat.disks[row].radius),
+        Kind::Triangle => {
+            let triangle = triangle_of(flat, flat.triangles[row]);
+            let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| Vec3::from(v).to_f32());
+            triangle_box(a, b, c)
+        }
+    }
+}
+
 /// The box of each primitive but the planes, which have none, with its id: the
 /// same boxes that the shape tests clamp their hits to.
 pub fn primitive_boxes<R: Real>(flat: &Flat<R>) -> Vec<(Aabb, u32)> {
-    let ball = |center: [R; 3], radius: R| ball_box(Vec3::from(center).to_f32(), radius.to_f32());
-    let spheres = flat
-        .spheres
-        .iter()
-        .map(|sphere| ball(sphere.center, sphere.radius))
-        .zip(flat.sphere_ids.iter().copied());
-    let disks = flat
-        .disks
-        .iter()
-        .map(|disk| ball(disk.center, disk.radius))
-        .zip(flat.disk_ids.iter().copied());
-    let triangles = flat.triangles.iter().map(|&corners| {
-        let triangle = triangle_of(flat, corners);
-        let own = triangle_box(
-            Vec3::from(triangle.a).to_f32(),
-            Vec3::from(triangle.b).to_f32(),
-            Vec3::from(triangle.c).to_f32(),
-        );
-        (own, corners.id)
-    });
-    spheres.chain(disks).chain(triangles).collect()
+    let spheres = flat.sphere_ids.iter().copied().enumerate();
+    let disks = flat.disk_ids.iter().copied().enumerate();
+    let triangles = flat.triangles.iter().map(|corners| corners.id).enumerate();
+    let with_box = |kind| move |(row, id)| (box_of_row(flat, kind, row), id);
+    spheres
+        .map(with_box(Kind::Sphere))
+        .chain(disks.map(with_box(Kind::Disk)))
+        .chain(triangles.map(with_box(Kind::Triangle)))
+        .collect()
 }

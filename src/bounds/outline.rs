@@ -68,7 +68,8 @@ pub fn outlines<R: Real>(flat: &Flat<R>) -> Vec<bool> {
 /// The volumes of the list, level by level.
 fn of_list<R: Real>(flat: &Flat<R>) -> Vec<Shown<R>> {
     let mut bounds = Vec::new();
-    let mut level = vec![0..flat.volumes.len() as u32];
+    let everything = 0..flat.volumes.len() as u32;
+    let mut level = vec![everything];
     while !level.is_empty() && bounds.len() < MOST {
         let mut below = Vec::new();
         for entries in level {

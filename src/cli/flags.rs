@@ -121,8 +121,8 @@ pub(super) struct PlaceFlags {
     /// Bounding volumes; they change the time, never the picture
     #[arg(long, value_enum, default_value_t = BoundsChoice::Tree)]
     pub(super) bounds: BoundsChoice,
-    /// Levels of spheres or boxes, those of the screen too: 1 for one around each group and mesh, 2 for four more
-    /// in each, and so on
+    /// Levels of spheres or boxes, those of the screen too: 1 for one around each group
+    /// and mesh, 2 for four more in each, and so on
     #[arg(long, value_name = "N", value_parser = parse_levels)]
     pub(super) levels: Option<u32>,
     #[command(flatten)]

@@ -13,7 +13,7 @@ use super::shown::{Shown, Written, one_layer_of};
 use rayproof::count::{COUNT_BYTES, CountMap};
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, Frame};
-use rayproof::render::{Rendering, Stats, count, render};
+use rayproof::render::{Rendering, Settings, Stats, count, render};
 
 /// The kinds of picture that can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +65,11 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     let progress = Progress::new(common, format!("{}", arguments.scene.display()));
     let mut rendering = render(&scene, &backend, settings, &progress)?;
     drop(progress);
+    // Without volumes, where some rays met too many.
+    let settings = Settings {
+        bounds: rendering.stats.bounds,
+        ..settings
+    };
     let mut counted = CountMap::default();
     if counts {
         let progress = Progress::new(common, "counting");

@@ -8,10 +8,10 @@
 use rayon::prelude::*;
 
 use super::block::{Block, LANES};
+use crate::bounds::box_of_row;
 use crate::flat::{Flat, Kind};
-use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
+use crate::kernel::aabb::Aabb;
 use crate::kernel::real::Real;
-use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::Vec3;
 use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NOWHERE, Pair};
 
@@ -192,17 +192,13 @@ fn leaf_branch<R: Real>(flat: &Flat<R>, leaf: u32) -> Branch {
             kind,
         };
     }
+    let kind_of_leaf = match kind {
+        0 => Kind::Sphere,
+        1 => Kind::Disk,
+        _ => Kind::Triangle,
+    };
     let rows = first as usize..(first + count) as usize;
-    let ball = |center: [R; 3], radius: R| ball_box(Vec3::from(center).to_f32(), radius.to_f32());
-    let boxes = rows.map(|row| match kind {
-        0 => ball(flat.spheres[row].center, flat.spheres[row].radius),
-        1 => ball(flat.disks[row].center, flat.disks[row].radius),
-        _ => {
-            let triangle = triangle_of(flat, flat.triangles[row]);
-            let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| Vec3::from(v).to_f32());
-            triangle_box(a, b, c)
-        }
-    });
+    let boxes = rows.map(|row| box_of_row(flat, kind_of_leaf, row));
     Branch {
         aabb: boxes.reduce(union).expect("a leaf has primitives"),
         child: leaf,

@@ -16,6 +16,7 @@ pub mod fetch_probe;
 mod kernel;
 mod memory;
 mod pace;
+mod portions;
 pub mod program;
 pub mod render;
 mod samples;

@@ -11,6 +11,7 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::pace::Pace;
+pub use super::portions::{Portions, Seconds};
 use super::program::{Program, Source};
 use super::scene::PackedScene;
 use super::screen::Screen;
@@ -23,46 +24,9 @@ use crate::flat::Flat;
 use crate::layout::{Dispatch, Pixel};
 use crate::watch::Watch;
 
-/// Primitives that one dispatch tests at most: below the 65,535 loop iterations
-/// that lavapipe allows an invocation, with room for the other loops.
-const PRIMITIVES_PER_DISPATCH: u32 = 60_000;
-
 /// What a ray through a tree counts for, in shape tests: some pairs of boxes and
 /// some shapes. The first dispatch is sized by it, the others by what they take.
 const TREE_TESTS: u32 = 32;
-
-/// How a scene is portioned out to a device.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Portions {
-    /// Primitives that one dispatch tests at most, where there are no volumes.
-    pub primitives_per_dispatch: u32,
-    /// Where the scene lies; none for what the device reads best.
-    pub fetch: Option<Fetch>,
-    /// Whether volumes and shapes are counted, as [`count`] does.
-    pub count: bool,
-    /// Whether the device times the passes, see [`Prepared::seconds`].
-    pub time: bool,
-}
-
-/// How long the passes of a picture took, by the device's own clock.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Seconds {
-    /// Those in which the closest hits are found.
-    pub trace: f64,
-    /// Those in which what was hit is coloured.
-    pub shade: f64,
-}
-
-impl Default for Portions {
-    fn default() -> Self {
-        Self {
-            primitives_per_dispatch: PRIMITIVES_PER_DISPATCH,
-            fetch: None,
-            count: false,
-            time: false,
-        }
-    }
-}
 
 /// Renders a flattened scene, once: [`Prepared::new`], then [`Prepared::run`].
 ///

@@ -7,7 +7,7 @@ use wgpu::BufferUsages;
 use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::SceneMemory;
-use super::render::Portions;
+use super::portions::Portions;
 use super::screen::Screen;
 use super::timestamps::Clock;
 use crate::error::Result;

@@ -82,6 +82,44 @@ fn next_waiting(stack: &[u32; STACK], depth: &mut usize) -> u32 {
     stack[*depth]
 }
 
+/// Tests the boxes of a pair's children and tells where to go on: to the one that is met
+/// and, if both are, to the nearer one while the other waits.
+#[inline]
+fn visit_pair<R: Real>(
+    flat: &Flat<R>,
+    probe: Probe<R>,
+    at: u32,
+    stack: &mut [u32; STACK],
+    depth: &mut usize,
+    hit: &mut Hit<R>,
+) -> u32 {
+    let children = children_of(&flat.pairs[at as usize]);
+    let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
+    let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
+    let to_left = may_be_nearer(left, *hit);
+    let to_right = may_be_nearer(right, *hit);
+    count_bound(hit, to_left);
+    count_bound(hit, to_right);
+    let left_first = to_left && (!to_right || left.enter <= right.enter);
+    let mut next = if left_first {
+        children.left
+    } else {
+        children.right
+    };
+    if to_left && to_right {
+        stack[*depth] = if left_first {
+            children.right
+        } else {
+            children.left
+        };
+        *depth += 1;
+    }
+    if !(to_left || to_right) {
+        next = next_waiting(stack, depth);
+    }
+    next
+}
+
 /// The nearest of all primitives: of the planes, which no volume holds, then of
 /// those in the tree, the nearer child of each pair first.
 ///
@@ -97,30 +135,7 @@ pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     while at != NOWHERE && visits < MOST_VISITS {
         while (at & LEAF) == 0 && visits < MOST_VISITS {
             visits += 1;
-            let children = children_of(&flat.pairs[at as usize]);
-            let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
-            let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
-            let to_left = may_be_nearer(left, *hit);
-            let to_right = may_be_nearer(right, *hit);
-            count_bound(hit, to_left);
-            count_bound(hit, to_right);
-            let left_first = to_left && (!to_right || left.enter <= right.enter);
-            at = if left_first {
-                children.left
-            } else {
-                children.right
-            };
-            if to_left && to_right {
-                stack[depth] = if left_first {
-                    children.right
-                } else {
-                    children.left
-                };
-                depth += 1;
-            }
-            if !(to_left || to_right) {
-                at = next_waiting(&stack, &mut depth);
-            }
+            at = visit_pair(flat, probe, at, &mut stack, &mut depth, hit);
         }
         if at != NOWHERE && (at & LEAF) != 0 {
             test_leaf(flat, probe, at, hit);
@@ -134,8 +149,8 @@ pub fn closest_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
 }
 
 /// Whether anything is met no later than at `limit`: of shadow rays that is all there is
-/// to know. The first hit ends it, so the order does not matter. A ray that is given up
-/// counts as blocked, and `tests` tells.
+/// to know. The first hit ends it. A ray that is given up counts as blocked, and `tests`
+/// tells.
 pub fn any_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, limit: R, hit: &mut Hit<R>) -> bool {
     hit.t = limit;
     closest_plane(flat, probe, hit);
@@ -146,25 +161,7 @@ pub fn any_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, limit: R, hit: &mut Hit
     while at != NOWHERE && hit.id == NO_HIT && visits < MOST_VISITS {
         while (at & LEAF) == 0 && visits < MOST_VISITS {
             visits += 1;
-            let children = children_of(&flat.pairs[at as usize]);
-            let left = clip_to_box(probe.slabs, children.left_low, children.left_high);
-            let right = clip_to_box(probe.slabs, children.right_low, children.right_high);
-            let to_left = may_be_nearer(left, *hit);
-            let to_right = may_be_nearer(right, *hit);
-            count_bound(hit, to_left);
-            count_bound(hit, to_right);
-            at = if to_left {
-                children.left
-            } else {
-                children.right
-            };
-            if to_left && to_right {
-                stack[depth] = children.right;
-                depth += 1;
-            }
-            if !(to_left || to_right) {
-                at = next_waiting(&stack, &mut depth);
-            }
+            at = visit_pair(flat, probe, at, &mut stack, &mut depth, hit);
         }
         if at != NOWHERE && (at & LEAF) != 0 {
             test_leaf(flat, probe, at, hit);
@@ -172,10 +169,12 @@ pub fn any_hit<R: Real>(flat: &Flat<R>, probe: Probe<R>, limit: R, hit: &mut Hit
             at = next_waiting(&stack, &mut depth);
         }
     }
-    let met = hit.id != NO_HIT;
-    if !met && (at != NOWHERE || depth > 0) {
+    if hit.id != NO_HIT {
+        return true;
+    }
+    if at != NOWHERE || depth > 0 {
         hit.tests = GIVEN_UP;
         return true;
     }
-    met
+    false
 }

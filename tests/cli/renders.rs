@@ -1,6 +1,6 @@
 //! `render`: what is in the files.
 
-use rayproof::frame::{Picture, PictureValues, read_image};
+use rayproof::frame::{Picture, PictureValues, Samples, read_image};
 
 use super::{CAMERA, Room};
 
@@ -155,4 +155,65 @@ fn the_size_of_the_command_line_wins() {
             );
         }
     }
+}
+
+/// Two spheres, each in a ball of its own.
+fn grouped() -> String {
+    let sphere =
+        |x: i32| format!("[[group]]\n[[group.sphere]]\ncenter = [{x}, 1, 0]\nradius = 0.5\n");
+    format!(
+        "{CAMERA}[image]\nwidth = 60\nheight = 40\n{}{}",
+        sphere(-1),
+        sphere(1)
+    )
+}
+
+#[test]
+fn what_rays_test_is_a_heat_map() {
+    let room = Room::new();
+    room.write("groups.toml", grouped());
+    for layer in ["tests", "bounds"] {
+        for backend in ["cpu", "gpu"] {
+            let line = format!(
+                "render groups.toml --bounds scene --layer {layer} --backend {backend} \
+                 -o {layer}-{backend}.png"
+            );
+            room.run(&line).with(0);
+        }
+        let [cpu, gpu] = ["cpu", "gpu"].map(|backend| room.read(&format!("{layer}-{backend}.png")));
+        assert_eq!(cpu, gpu, "{layer}");
+    }
+    assert_ne!(room.read("tests-cpu.png"), room.read("bounds-cpu.png"));
+    // Outlines are white, which no count is.
+    let white = |name: &str| {
+        let PictureValues::Encoded { codes, .. } = picture(&room, name).values else {
+            panic!("{name} is no PNG");
+        };
+        codes.iter().filter(|code| **code == [u16::MAX; 3]).count()
+    };
+    assert!(white("bounds-cpu.png") > 40 && white("tests-cpu.png") == 0);
+}
+
+#[test]
+fn counts_are_numbers_in_an_exr() {
+    let room = Room::new();
+    room.write("groups.toml", grouped());
+    let line = "render groups.toml --bounds scene --layer id,tests,bounds -o a.exr --json";
+    let stats = room.run(line).with(0).json();
+    assert_eq!(channels(&room, "a.exr"), ["bounds", "id", "tests"]);
+    let PictureValues::Linear { channels, .. } = picture(&room, "a.exr").values else {
+        panic!("no EXR");
+    };
+    for (name, counter) in [("tests", "shape_tests"), ("bounds", "bound_tests")] {
+        let channel = channels.iter().find(|channel| channel.name == name);
+        let Samples::Integer(counts) = &channel.expect("a channel").samples else {
+            panic!("{name} is no integer");
+        };
+        let sum: u64 = counts.iter().map(|count| u64::from(*count)).sum();
+        assert!(sum > 0);
+        assert_eq!(stats["counters"][counter], sum, "{name}");
+    }
+    room.run("render ok.toml -o a.png --layer fog")
+        .with(2)
+        .telling(&["position, id, tests, bounds"]);
 }

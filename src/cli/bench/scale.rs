@@ -5,9 +5,10 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use super::BoundedScene;
+use super::case::{Case, Tracer};
 use super::flags::BenchArguments;
 use super::results::columns;
-use super::{BoundedScene, Case, Tracer};
 use crate::cli::Outcome;
 use crate::cli::flags::Common;
 use crate::cli::progress::Progress;
