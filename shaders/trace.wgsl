@@ -1,8 +1,8 @@
 // One invocation a pixel: from its ray to its colour.
 //
-// A tile is a band of rows. It takes one dispatch of `trace_tile`, or one for each
-// run of primitives where there are no volumes, with the closest hit carried in
-// `hits`; then one of `shade_tile`.
+// A tile is a band of rows. It takes one dispatch of `render_tile`; or, where one cannot
+// test everything, several of `trace_tile`, with the closest hit carried in `hits`, and
+// then one of `shade_tile`.
 
 // Tests the primitives in some rows of a kind's table, as src/flat.rs counts kinds,
 // and tells the row that it came to.
@@ -108,4 +108,24 @@ fn shade_tile(
     let hit = hit_at(index);
     let ray = camera_ray(dispatch.size, at.x, dispatch.first_row + at.y);
     pixels[index] = shade(ray, hit);
+}
+
+// Finds the closest hit of the tile's pixels and colours them at once.
+@compute @workgroup_size(64)
+fn render_tile(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let at = tile_pixel(workgroup, lane);
+    if at.x >= dispatch.size.x || at.y >= dispatch.rows {
+        return;
+    }
+    let index = at.y * dispatch.size.x + at.x;
+    let y = dispatch.first_row + at.y;
+    let ray = camera_ray(dispatch.size, at.x, y);
+    var hit = no_hit();
+    hit.tile = tile_of(dispatch.size, at.x, y);
+    closest_hit(probe_of(ray), &hit);
+    pixels[index] = shade(ray, hit);
+    keep_counts(index, hit);
 }

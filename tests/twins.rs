@@ -7,15 +7,16 @@ use std::path::Path;
 use rayproof::effects::EFFECTS;
 
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 12] = [
+const WITHOUT_TWIN: [(&str, &str); 13] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
-    // The CPU traces a pixel in one call, the GPU a tile in two dispatches.
+    // The CPU traces a pixel in one call, the GPU a tile in one dispatch or more.
     ("trace", "trace_pixel"),
     // In the shader the files of the tree, on or off, decide.
     ("trace", "find_hit"),
     ("trace", "trace_tile"),
     ("trace", "shade_tile"),
+    ("trace", "render_tile"),
     // Which pixel an invocation takes is no arithmetic of the picture.
     ("trace", "even_bits"),
     ("trace", "tile_pixel"),
@@ -103,6 +104,7 @@ fn every_shader_has_a_twin_or_a_reason() {
         "fetch_storage",
         "fetch_texture",
         "fetch_uniform",
+        "fetch_probe",
         "selfcheck",
         "selfcheck_f64",
     ];

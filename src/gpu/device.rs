@@ -128,6 +128,11 @@ impl Gpu {
         self.device.features().contains(Features::SHADER_F64)
     }
 
+    /// Whether the device times its passes.
+    pub fn has_clock(&self) -> bool {
+        self.device.features().contains(Features::TIMESTAMP_QUERY)
+    }
+
     /// Whether the host may read a storage buffer in place.
     pub(super) fn maps_storage(&self) -> bool {
         let features = self.device.features();

@@ -15,7 +15,8 @@ pub struct Portions {
     pub fetch: Option<Fetch>,
     /// Whether volumes and shapes are counted, as [`super::render::count`] does.
     pub count: bool,
-    /// Whether the device times the passes, see [`super::render::Prepared::seconds`].
+    /// Whether hits are found and coloured in passes apart, which the device times, see
+    /// [`super::render::Prepared::seconds`].
     pub time: bool,
 }
 

@@ -24,6 +24,10 @@ use crate::flat::Flat;
 use crate::layout::{Dispatch, Pixel};
 use crate::watch::Watch;
 
+/// Lights that may be looped over in the dispatch of a search: with them it stays within
+/// the 65,535 loop iterations that lavapipe allows an invocation.
+const FEW_LIGHTS: usize = 1000;
+
 /// What a ray through a tree counts for, in shape tests: some pairs of boxes and
 /// some shapes. The first dispatch is sized by it, the others by what they take.
 const TREE_TESTS: u32 = 32;
@@ -185,9 +189,12 @@ impl<'a> Prepared<'a> {
                 rows,
                 spread: self.gpu.adapter.is_software(),
             };
-            seconds.trace += self.trace(tile, watch)?;
-            let orders = tile.orders(self.flat, 0..0);
-            seconds.shade += self.dispatch("shade_tile", tile, &orders)?;
+            let traced = self.trace(tile, watch)?;
+            seconds.trace += traced.seconds;
+            if !traced.is_shaded {
+                let orders = tile.orders(self.flat, 0..0);
+                seconds.shade += self.dispatch("shade_tile", tile, &orders)?;
+            }
             let mut checked = Ok(());
             let mut tests = Vec::new();
             let pixels = self.flat.size[0] * rows;
@@ -225,8 +232,8 @@ impl<'a> Prepared<'a> {
     /// Finds the tile's closest hits: through the tree in one dispatch, else by one
     /// for each run of primitives, or of entries and primitives of the list of
     /// volumes. An empty scene gets one dispatch too, which notes that nothing is hit.
-    /// Gives the seconds by the device's clock.
-    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<f64> {
+    /// Where one is enough, it colours them too.
+    fn trace(&mut self, tile: Tile, watch: &dyn Watch) -> Result<Traced> {
         let total = tests_per_ray(self.flat);
         let pixels = self.flat.size[0] * tile.rows;
         let mut begin = 0;
@@ -247,16 +254,34 @@ impl<'a> Prepared<'a> {
             } else {
                 tile.orders(self.flat, begin..end)
             };
+            let at_once = begin == 0 && end >= total && self.may_shade_at_once();
+            let entry = if at_once { "render_tile" } else { "trace_tile" };
             let started = Instant::now();
-            seconds += self.dispatch("trace_tile", tile, &orders)?;
+            seconds += self.dispatch(entry, tile, &orders)?;
             self.pace.learn(pixels, end - begin, started.elapsed());
             watch.progress(self.pace.done());
             begin = end;
             if begin >= total {
-                return Ok(seconds);
+                return Ok(Traced {
+                    seconds,
+                    is_shaded: at_once,
+                });
             }
         }
     }
+
+    /// Whether a dispatch may search and colour: not if the passes are timed apart, and
+    /// not if lights would take from the search what loops a driver allows.
+    fn may_shade_at_once(&self) -> bool {
+        self.seconds.is_none() && self.flat.lights.len() <= FEW_LIGHTS
+    }
+}
+
+/// What became of a tile.
+struct Traced {
+    /// By the device's clock.
+    seconds: f64,
+    is_shaded: bool,
 }
 
 /// Tests of one ray at most; through a tree, as far as the pace is concerned.

@@ -1,6 +1,6 @@
 //! How long a pass takes by the device's own clock: without the waiting for it.
 
-use wgpu::{BufferUsages, Features};
+use wgpu::BufferUsages;
 
 use super::device::Gpu;
 use crate::error::Result;
@@ -22,7 +22,7 @@ impl Clock {
     ///
     /// [`crate::Error::Limit`] when the device has no memory for it.
     pub(super) fn of(gpu: &Gpu) -> Result<Option<Self>> {
-        if !gpu.device.features().contains(Features::TIMESTAMP_QUERY) {
+        if !gpu.has_clock() {
             return Ok(None);
         }
         let queries = gpu.guard("the clock", || {

@@ -17,32 +17,57 @@ use rayproof::watch::Watch;
 /// A backend with a scene prepared on it.
 pub(super) enum Tracer<'a> {
     Cpu(cpu::Prepared<'a, f32>),
-    Gpu(&'a Gpu, Box<gpu::Prepared<'a>>),
+    Gpu(Box<OnGpu<'a>>),
+}
+
+/// A scene prepared on a device.
+pub(super) struct OnGpu<'a> {
+    device: &'a Gpu,
+    /// As pictures are traced.
+    prepared: gpu::Prepared<'a>,
+    /// With passes that are timed, where the device has a clock.
+    timed: Option<gpu::Prepared<'a>>,
 }
 
 impl<'a> Tracer<'a> {
     pub(super) fn on_gpu(device: &'a Gpu, scene: &'a BoundedScene) -> Result<Self> {
-        let portions = Portions {
-            time: true,
-            ..Portions::default()
+        let prepare = |time| {
+            let portions = Portions {
+                time,
+                ..Portions::default()
+            };
+            gpu::Prepared::new(device, &scene.flat, portions)
         };
-        let prepared = gpu::Prepared::new(device, &scene.flat, portions)?;
-        Ok(Self::Gpu(device, Box::new(prepared)))
+        let timed = device.has_clock().then(|| prepare(true)).transpose()?;
+        Ok(Self::Gpu(Box::new(OnGpu {
+            device,
+            prepared: prepare(false)?,
+            timed,
+        })))
     }
 
-    /// Traces a picture; gives the seconds of the device's clock, if there is one.
+    /// Traces a picture.
     pub(super) fn run(
         &mut self,
         watch: &dyn Watch,
         keep: &mut dyn FnMut(u32, &[Pixel]),
-    ) -> Result<Option<Seconds>> {
+    ) -> Result<()> {
         match self {
-            Self::Cpu(prepared) => prepared.run(watch, keep).map(|()| None),
-            Self::Gpu(_, prepared) => {
-                prepared.run(watch, keep)?;
-                Ok(prepared.seconds())
-            }
+            Self::Cpu(prepared) => prepared.run(watch, keep),
+            Self::Gpu(on_gpu) => on_gpu.prepared.run(watch, keep),
         }
+    }
+
+    /// The seconds that the passes of a picture take by the device's clock, if it has one.
+    fn time_passes(&mut self, watch: &dyn Watch) -> Result<Option<Seconds>> {
+        let Self::Gpu(on_gpu) = self else {
+            return Ok(None);
+        };
+        let Some(timed) = &mut on_gpu.timed else {
+            return Ok(None);
+        };
+        timed.run(watch, &mut |_, _| {})?;
+        Ok(timed.seconds())
     }
 
     /// Counts what the rays test, in a run of its own.
@@ -51,7 +76,7 @@ impl<'a> Tracer<'a> {
             Self::Cpu(prepared) => {
                 cpu::count(&scene.flat, NonZeroUsize::new(prepared.threads()), watch)
             }
-            Self::Gpu(device, _) => gpu::count(device, &scene.flat, watch),
+            Self::Gpu(on_gpu) => gpu::count(on_gpu.device, &scene.flat, watch),
         };
         map.map(|map| map.sum())
     }
@@ -82,21 +107,21 @@ impl<'a> Case<'a> {
     pub(super) fn backend(&self) -> &'static str {
         match self.tracer {
             Tracer::Cpu(_) => "cpu",
-            Tracer::Gpu(..) => "gpu",
+            Tracer::Gpu(_) => "gpu",
         }
     }
 
     pub(super) fn adapter(&self) -> Option<&str> {
         match &self.tracer {
             Tracer::Cpu(_) => None,
-            Tracer::Gpu(device, _) => Some(&device.adapter.name),
+            Tracer::Gpu(on_gpu) => Some(&on_gpu.device.adapter.name),
         }
     }
 
     pub(super) fn threads(&self) -> Option<usize> {
         match &self.tracer {
             Tracer::Cpu(prepared) => Some(prepared.threads()),
-            Tracer::Gpu(..) => None,
+            Tracer::Gpu(_) => None,
         }
     }
 
@@ -135,10 +160,11 @@ impl<'a> Case<'a> {
     ) -> Result<f64> {
         let mut complete = true;
         let started = Instant::now();
-        let by_device = self.tracer.run(watch, &mut |row, pixels| {
+        self.tracer.run(watch, &mut |row, pixels| {
             complete &= frame.keep_rows(row, pixels);
         })?;
         let seconds = started.elapsed().as_secs_f64();
+        let by_device = self.tracer.time_passes(watch)?;
         // What warmed up does not count.
         if turn.warm_up || turn.number == 1 {
             self.device_seconds.clear();
