@@ -15,6 +15,7 @@ mod progress;
 mod render;
 mod report;
 mod shown;
+mod tracing_flags;
 
 use std::process::ExitCode;
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::flags::{
+use crate::cli::tracing_flags::{
     BoundsChoice, ONE_LEVEL, PolicyFlags, parse_levels, parse_size, parse_threads,
 };
 use rayproof::bounds::Bounds;
