@@ -37,6 +37,7 @@ const ROWS: &[&str] = &[
     "special values",
     "f64",
     "loops",
+    "reading",
 ];
 
 /// Fields of JSON objects that do.
@@ -50,7 +51,7 @@ const FIELDS: &[&str] = &[
 ];
 
 /// How lines of tables begin whose columns are times and ratios.
-const COLUMNS: &[&str] = &["backend  threads  ", "cpu  ", "gpu  "];
+const COLUMNS: &[&str] = &["backend  ", "cpu  ", "gpu  ", "cpu, ", "  n^"];
 
 /// Parts what one command prints from what the next one does: a control
 /// character that no output holds.

@@ -171,7 +171,7 @@ fn rows(cases: &[Case<'_>], times: &[Times], scene: &Scene) -> Vec<Row> {
                 search_ms: case.search_ms(),
                 search_speedup,
                 shade_ms: case.device_ms(|seconds| seconds.shade),
-                build_ms: case.scene.build.median * 1e3,
+                build_ms: case.build_ms(),
                 counters: case.counters,
                 equal: case.different_pixels == 0,
                 different_pixels: case.different_pixels,

@@ -6,6 +6,7 @@ pub mod wide;
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
@@ -109,6 +110,7 @@ pub struct Prepared<'a, R> {
     flat: &'a Flat<R>,
     wide: Option<Wide<R>>,
     pool: ThreadPool,
+    build_time: Duration,
 }
 
 impl<'a, R: Real> Prepared<'a, R> {
@@ -120,8 +122,19 @@ impl<'a, R: Real> Prepared<'a, R> {
     /// are asked for.
     pub fn new(flat: &'a Flat<R>, threads: Option<NonZeroUsize>) -> Result<Self> {
         let pool = pool_of(threads)?;
+        let started = Instant::now();
         let wide = (!flat.pairs.is_empty()).then(|| pool.install(|| Wide::new(flat)));
-        Ok(Self { flat, wide, pool })
+        Ok(Self {
+            flat,
+            wide,
+            pool,
+            build_time: started.elapsed(),
+        })
+    }
+
+    /// How long it took to widen the scene's tree.
+    pub fn build_time(&self) -> Duration {
+        self.build_time
     }
 
     /// How many threads there are.

@@ -133,6 +133,15 @@ impl<'a> Case<'a> {
         format!("{}{threads}, {}", self.backend(), self.scene.bounds.name())
     }
 
+    /// The median time of building the volumes, what this backend makes of them included.
+    pub(super) fn build_ms(&self) -> f64 {
+        let own = match &self.tracer {
+            Tracer::Cpu(prepared) => prepared.build_time().as_secs_f64(),
+            Tracer::Gpu(_) => 0.0,
+        };
+        (self.scene.build.median + own) * 1e3
+    }
+
     /// What the progress of a run is called.
     pub(super) fn label(&self, turn: Turn) -> String {
         let run = if turn.warm_up { "warm-up" } else { "run" };

@@ -164,7 +164,7 @@ fn measure(
             min_ms: trace_ms.min,
             max_ms: trace_ms.max,
             search_ms: case.search_ms(),
-            build_ms: bounded.build.median * 1e3,
+            build_ms: case.build_ms(),
             device_bytes: bounded.flat.bytes(),
         }
     });
@@ -220,15 +220,15 @@ impl Growth {
         });
         let adapter = self.runs.iter().find_map(|run| run.adapter.as_deref());
         let exponents = &self.exponents;
-        let mut text = format!(
-            "a knot, {} x {}; {} + {} runs{}\n\n{}\ngrowth with the triangles n:\n",
-            self.width,
-            self.height,
-            plan.warm_ups,
-            plan.runs,
-            adapter.map_or(String::new(), |adapter| format!("; {adapter}")),
-            columns(head, rows),
+        let mut about = vec![("mesh", format!("knot, {} x {}", self.width, self.height))];
+        about.extend(adapter.map(|adapter| ("adapter", adapter.to_string())));
+        let measured = format!(
+            "through a tree; {} + {} runs, one size after the other",
+            plan.warm_ups, plan.runs
         );
+        about.push(("measured", measured));
+        let mut text = report::table(&about) + "\n" + &columns(head, rows);
+        text += "\ngrowth with the triangles n:\n";
         for (run, exponent) in self.runs.iter().zip(&exponents.trace) {
             text += &format!("  n^{exponent:.3}  a picture on the {}\n", run.backend);
         }
