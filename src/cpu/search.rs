@@ -207,3 +207,62 @@ fn test_leaf<R: Real>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::aabb::{Aabb, clip_to_box, slabs_of};
+    use crate::kernel::camera::Ray;
+    use crate::kernel::vector::{Vec3, vec3};
+
+    /// A fixed sequence of numbers from -1 to 1, with zeros and equals among them.
+    fn numbers() -> impl FnMut() -> f32 {
+        let mut state = 1_u32;
+        move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 24) as f32 / 128.0 - 1.0
+        }
+    }
+
+    /// Eight boxes at once are clipped as one by one, bit for bit.
+    #[test]
+    fn eight_boxes_are_clipped_as_one() {
+        let mut next = numbers();
+        let mut vector = || vec3(next(), next(), next());
+        let (mut met_at_all, mut missed) = (0, 0);
+        for _ in 0..2000 {
+            let direction = vector();
+            let slabs = slabs_of(Ray {
+                origin: vector(),
+                direction,
+            });
+            let mut node = Node::empty();
+            let boxes: Vec<Aabb> = (0..WIDTH - 1)
+                .map(|place| {
+                    let (a, b) = (vector(), vector());
+                    let with = |of: fn(f32, f32) -> f32| Vec3 {
+                        x: of(a.x, b.x),
+                        y: of(a.y, b.y),
+                        z: of(a.z, b.z),
+                    };
+                    let (low, high) = (with(f32::min), with(f32::max));
+                    node.set(place, Aabb { low, high }, 0);
+                    Aabb { low, high }
+                })
+                .collect();
+            let limit = 1.5;
+            let (enter, met) = Slabs8::new(slabs).clip(&node, f32x8::splat(limit));
+            for (place, aabb) in boxes.iter().enumerate() {
+                let one = clip_to_box(slabs, aabb.low, aabb.high);
+                assert_eq!(enter[place], one.enter, "{slabs:?} {aabb:?}");
+                let is_met = one.enter <= one.exit && one.enter <= limit;
+                assert_eq!((met >> place) & 1 == 1, is_met, "{slabs:?} {aabb:?}");
+                met_at_all += u32::from(is_met);
+                missed += u32::from(!is_met);
+            }
+            // The place without a child.
+            assert_eq!(met >> (WIDTH - 1), 0);
+        }
+        assert!(met_at_all > 1000 && missed > 1000, "{met_at_all} {missed}");
+    }
+}

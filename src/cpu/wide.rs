@@ -249,7 +249,7 @@ fn largest_to_open(open: &[Branch]) -> Option<usize> {
 }
 
 impl Node {
-    fn empty() -> Self {
+    pub(super) fn empty() -> Self {
         let mut node = Self {
             planes: Default::default(),
             children: [NOWHERE; WIDTH],
@@ -260,7 +260,7 @@ impl Node {
         node
     }
 
-    fn set(&mut self, place: usize, aabb: Aabb, child: u32) {
+    pub(super) fn set(&mut self, place: usize, aabb: Aabb, child: u32) {
         let (low, high): ([f32; 3], [f32; 3]) = (aabb.low.into(), aabb.high.into());
         for (axis, planes) in self.planes.iter_mut().enumerate() {
             planes[0][place] = low[axis];
