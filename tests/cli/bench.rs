@@ -158,6 +158,11 @@ fn growth_is_measured_without_a_scene() {
         results["exponents"]["trace"].as_array().map(Vec::len),
         Some(2)
     );
+    let one = room
+        .run("bench --scale 10,100 --size 8x8 --runs 1")
+        .with(0)
+        .out;
+    assert!(one.contains("one size") && !one.contains("NaN"), "{one}");
     let text = room.run(line).with(0).out;
     for words in ["growth with the triangles n", "a picture on the gpu"] {
         assert!(text.contains(words), "no `{words}` in {text}");

@@ -228,6 +228,9 @@ impl Growth {
         );
         about.push(("measured", measured));
         let mut text = report::table(&about) + "\n" + &columns(head, rows);
+        if !exponents.build.is_finite() {
+            return text + "\none size: no growth to be told\n";
+        }
         text += "\ngrowth with the triangles n:\n";
         for (run, exponent) in self.runs.iter().zip(&exponents.trace) {
             text += &format!("  n^{exponent:.3}  a picture on the {}\n", run.backend);
