@@ -5,9 +5,11 @@
 //! reflection of the shaders, see [`crate::gpu::program`]. The scene's own records
 //! are read as quads, four words at once, so their sizes are multiples of 16 bytes.
 
+mod leaf;
 #[macro_use]
 mod record;
 
+pub use leaf::{leaf_of, leaf_parts};
 pub use record::Record;
 
 use bytemuck::{Pod, Zeroable};

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{BRUTE_FORCE, changed, gpu, white_scene};
+use common::{BRUTE_FORCE, CHOICES, changed, gpu, white_scene};
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -11,17 +11,6 @@ use rayproof::flatten::flatten;
 use rayproof::render::Settings;
 use rayproof::scene::{Geometry, Group, GroupBound, PixelSampling, Shape, Transform};
 use rayproof::{Accuracy, Backend, Scene, Unwatched, cpu};
-
-/// Every choice of volumes but brute force.
-const CHOICES: [Bounds; 7] = [
-    Bounds::Scene,
-    Bounds::Spheres { levels: 1 },
-    Bounds::Spheres { levels: 3 },
-    Bounds::Boxes { levels: 1 },
-    Bounds::Boxes { levels: 3 },
-    Bounds::Screen { levels: 2 },
-    Bounds::Tree,
-];
 
 /// Coordinates reach so far, and spheres and disks by as much as 1 further.
 const REACH: f64 = 2.0;

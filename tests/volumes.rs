@@ -4,7 +4,7 @@ mod common;
 
 use common::random::random_scene;
 use common::{
-    assert_bounds_change_nothing, changed, compare, gpu, mesh_scene, scene, sphere_ahead,
+    CHOICES, assert_bounds_change_nothing, changed, compare, gpu, mesh_scene, scene, sphere_ahead,
     white_scene,
 };
 use glam::DVec3;
@@ -16,20 +16,6 @@ use rayproof::render::{Settings, count};
 use rayproof::scene::mesh::Builtin;
 use rayproof::scene::{Geometry, Group, GroupBound, Shape};
 use rayproof::{Accuracy, Backend, Scene, Unwatched};
-
-/// Every choice of volumes but brute force.
-const CHOICES: [Bounds; 10] = [
-    Bounds::Scene,
-    Bounds::Spheres { levels: 1 },
-    Bounds::Spheres { levels: 2 },
-    Bounds::Spheres { levels: 4 },
-    Bounds::Boxes { levels: 1 },
-    Bounds::Boxes { levels: 2 },
-    Bounds::Boxes { levels: 4 },
-    Bounds::Screen { levels: 1 },
-    Bounds::Screen { levels: 3 },
-    Bounds::Tree,
-];
 
 fn with(accuracy: Accuracy, bounds: Bounds) -> Settings {
     Settings { accuracy, bounds }

@@ -16,15 +16,9 @@ pub fn bvh2(triangles: &[rayproof::layout::Triangle<f32>]) -> Trace<'_> {
     let triangles = converted(triangles);
     let settings = BvhBuildParams::medium_build();
     let bvh = build_bvh2_from_tris(&triangles, settings, &mut Duration::default());
-    let triangles = in_order(&triangles, &bvh.primitive_indices);
-    Box::new(move |rays, found| {
-        for (ray, found) in rays.iter().zip(found) {
-            let mut hit = RayHit::none();
-            bvh.ray_traverse(ray_of(ray), &mut hit, |ray, id| {
-                triangles[id].intersect(ray)
-            });
-            *found = found_of(&hit, &bvh.primitive_indices);
-        }
+    let order = bvh.primitive_indices.clone();
+    trace(&triangles, order, move |ray, hit, triangles| {
+        bvh.ray_traverse(ray, hit, |ray, id| triangles[id].intersect(ray));
     })
 }
 
@@ -32,14 +26,24 @@ pub fn cwbvh(triangles: &[rayproof::layout::Triangle<f32>]) -> Trace<'_> {
     let triangles = converted(triangles);
     let settings = BvhBuildParams::medium_build();
     let bvh = build_cwbvh_from_tris(&triangles, settings, &mut Duration::default());
-    let triangles = in_order(&triangles, &bvh.primitive_indices);
+    let order = bvh.primitive_indices.clone();
+    trace(&triangles, order, move |ray, hit, triangles| {
+        bvh.ray_traverse(ray, hit, |ray, id| triangles[id].intersect(ray));
+    })
+}
+
+/// Traces by `traverse`, which gets the triangles in the order of the leaves.
+fn trace<'a>(
+    triangles: &[Triangle],
+    order: Vec<u32>,
+    traverse: impl Fn(Ray, &mut RayHit, &[Triangle]) + Sync + 'a,
+) -> Trace<'a> {
+    let triangles = in_order(triangles, &order);
     Box::new(move |rays, found| {
         for (ray, found) in rays.iter().zip(found) {
             let mut hit = RayHit::none();
-            bvh.ray_traverse(ray_of(ray), &mut hit, |ray, id| {
-                triangles[id].intersect(ray)
-            });
-            *found = found_of(&hit, &bvh.primitive_indices);
+            traverse(ray_of(ray), &mut hit, &triangles);
+            *found = found_of(&hit, &order);
         }
     })
 }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::tree::{Node, Tree};
 use crate::flat::Kind;
 use crate::kernel::aabb::Aabb;
-use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, Pair};
+use crate::layout::{Pair, leaf_of};
 
 /// Steps of a pair's extent at most: what a byte holds.
 const STEPS: f64 = 255.0;
@@ -43,7 +43,7 @@ pub fn pack_pairs(tree: &Tree, place: impl Fn(u32) -> (Kind, u32) + Sync) -> Vec
             return pair_of[index];
         }
         let (kind, row) = place(node.first);
-        LEAF | (kind as u32) << LEAF_KIND | (node.count - 1) << LEAF_COUNT | row
+        leaf_of(kind as u32, node.count, row)
     };
     let packed = |&left: &usize| {
         let [low, high] = [left, left + 1];

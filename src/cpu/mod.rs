@@ -114,7 +114,8 @@ pub struct Prepared<'a, R> {
 }
 
 impl<'a, R: Real> Prepared<'a, R> {
-    /// Starts `threads` threads, or one for each core, and widens the scene's tree.
+    /// Starts `threads` threads, or one for each core, and makes ready what the CPU has
+    /// of its own: the wide tree, the masks of the screen's tiles.
     ///
     /// # Errors
     ///
@@ -124,6 +125,10 @@ impl<'a, R: Real> Prepared<'a, R> {
         let pool = pool_of(threads)?;
         let started = Instant::now();
         let wide = (!flat.pairs.is_empty()).then(|| pool.install(|| Wide::new(flat)));
+        if flat.tile_words > 0 {
+            // Now, not in the middle of the first picture, where all threads would wait.
+            flat.tile_masks();
+        }
         Ok(Self {
             flat,
             wide,
@@ -132,7 +137,7 @@ impl<'a, R: Real> Prepared<'a, R> {
         })
     }
 
-    /// How long it took to widen the scene's tree.
+    /// How long it took to widen the scene's tree, or to sort volumes to tiles.
     pub fn build_time(&self) -> Duration {
         self.build_time
     }

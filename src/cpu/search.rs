@@ -2,7 +2,7 @@
 
 use wide::f32x8;
 
-use super::wide::{Node, WIDTH, Wide, leaf_parts};
+use super::wide::{Node, WIDTH, Wide};
 use crate::flat::{Flat, Kind};
 use crate::kernel::aabb::{SLACK, Slabs};
 use crate::kernel::hit::{Hit, keep_nearer, may_be_closest, no_hit};
@@ -11,7 +11,7 @@ use crate::kernel::probe::Probe;
 use crate::kernel::real::Real;
 use crate::kernel::trace::{find_hit, test_rows};
 use crate::kernel::triangles::meet_triangle;
-use crate::layout::{LEAF, NO_HIT};
+use crate::layout::{LEAF, NO_HIT, leaf_parts};
 
 /// A child that waits, and where the ray enters it.
 type Waiting = (f32, u32);

@@ -13,7 +13,7 @@ use crate::flat::{Flat, Kind};
 use crate::kernel::aabb::Aabb;
 use crate::kernel::real::Real;
 use crate::kernel::vector::Vec3;
-use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NOWHERE, Pair};
+use crate::layout::{LEAF, NOWHERE, Pair, leaf_of, leaf_parts};
 
 /// Children of a node.
 pub const WIDTH: usize = 8;
@@ -133,19 +133,6 @@ impl Widening {
         self.blocks.push((first, count));
         leaf_of(kind, count, self.blocks.len() as u32 - 1)
     }
-}
-
-fn leaf_of(kind: u32, count: u32, first: u32) -> u32 {
-    LEAF | kind << LEAF_KIND | (count - 1) << LEAF_COUNT | first
-}
-
-/// Kind, count and first row of a leaf.
-pub fn leaf_parts(leaf: u32) -> (u32, u32, u32) {
-    (
-        (leaf >> LEAF_KIND) & 3,
-        ((leaf >> LEAF_COUNT) & 7) + 1,
-        leaf & ((1 << LEAF_COUNT) - 1),
-    )
 }
 
 /// What is below both children of each pair.

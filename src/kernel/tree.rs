@@ -9,7 +9,7 @@ use super::real::Real;
 use super::trace::test_rows;
 use super::vector::{Vec3, vec3};
 use crate::flat::Flat;
-use crate::layout::{LEAF, LEAF_COUNT, LEAF_KIND, NO_HIT, NOWHERE, Pair};
+use crate::layout::{LEAF, NO_HIT, NOWHERE, Pair, leaf_parts};
 
 /// Pairs that can wait while others are visited; the builder builds no deeper.
 pub const STACK: usize = 64;
@@ -61,10 +61,8 @@ pub fn children_of(pair: &Pair) -> Children {
 
 /// Tests a leaf's primitives, which are of one kind.
 fn test_leaf<R: Real>(flat: &Flat<R>, probe: Probe<R>, leaf: u32, hit: &mut Hit<R>) {
-    let kind = (leaf >> LEAF_KIND) & 3;
-    let row = leaf & ((1 << LEAF_COUNT) - 1);
-    let end = row + ((leaf >> LEAF_COUNT) & 7) + 1;
-    test_rows(flat, probe, kind, row..end, hit);
+    let (kind, count, row) = leaf_parts(leaf);
+    test_rows(flat, probe, kind, row..row + count, hit);
 }
 
 /// Whether something in the box may be nearer than the hit, or as near.

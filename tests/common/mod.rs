@@ -33,6 +33,20 @@ pub const BRUTE_FORCE: Settings = Settings {
     bounds: Bounds::None,
 };
 
+/// Every choice of volumes but brute force.
+pub const CHOICES: [Bounds; 10] = [
+    Bounds::Scene,
+    Bounds::Spheres { levels: 1 },
+    Bounds::Spheres { levels: 2 },
+    Bounds::Spheres { levels: 4 },
+    Bounds::Boxes { levels: 1 },
+    Bounds::Boxes { levels: 2 },
+    Bounds::Boxes { levels: 4 },
+    Bounds::Screen { levels: 1 },
+    Bounds::Screen { levels: 3 },
+    Bounds::Tree,
+];
+
 /// The picture from the GPU.
 pub fn on_gpu(scene: &Scene) -> Frame {
     let backend = Backend::Gpu(Box::new(gpu()));
