@@ -37,6 +37,7 @@ pub mod measure;
 mod ramp;
 pub mod render;
 pub mod scene;
+pub mod tier;
 pub mod watch;
 
 pub use compare::{Comparison, Tolerance, compare_frames};
