@@ -18,6 +18,11 @@ fn reals_at(table: u32, index: u32) -> vec4<real> {
     return floats_at(table, index);
 }
 
+// The f32 whose sum a number is.
+fn parts_of(number: real) -> vec3<f32> {
+    return vec3<f32>(number, 0.0, 0.0);
+}
+
 // The magnitude of `magnitude` with the sign bit of `sign`.
 fn copy_sign(magnitude: real, sign: real) -> real {
     let bits = (bitcast<u32>(magnitude) & 0x7fffffffu) | (bitcast<u32>(sign) & 0x80000000u);

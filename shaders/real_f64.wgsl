@@ -24,6 +24,14 @@ fn reals_at(table: u32, index: u32) -> vec4<real> {
     ));
 }
 
+// The f32 whose sum a number is.
+fn parts_of(number: real) -> vec3<f32> {
+    let first = f32(number);
+    let rest = number - real(first);
+    let second = f32(rest);
+    return vec3<f32>(first, second, f32(rest - real(second)));
+}
+
 // The magnitude of `magnitude` with the sign of `sign`; WGSL shows no bits of an f64.
 fn copy_sign(magnitude: real, sign: real) -> real {
     return select(abs(magnitude), -abs(magnitude), sign < 0.0);

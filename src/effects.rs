@@ -127,14 +127,20 @@ pub enum Entry {
     /// The pixels of a tile.
     Tile,
     /// Those of them whose rays are in doubt.
-    Doubtful,
+    DoubtfulPixels,
+    /// The rays of a list.
+    Rays,
+    /// Those of them that are in doubt.
+    DoubtfulRays,
 }
 
 impl Entry {
-    fn file(self) -> Source {
+    fn files(self) -> &'static [Source] {
         match self {
-            Self::Tile => file!("tile.wgsl"),
-            Self::Doubtful => file!("retrace.wgsl"),
+            Self::Tile => const { &[file!("tile.wgsl")] },
+            Self::DoubtfulPixels => const { &[file!("retrace.wgsl")] },
+            Self::Rays => const { &[file!("rays.wgsl"), file!("trace_rays.wgsl")] },
+            Self::DoubtfulRays => const { &[file!("rays.wgsl"), file!("retrace_rays.wgsl")] },
         }
     }
 }
@@ -286,7 +292,8 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Sou
             .map(|file| by_formulas(*file, device.formulas)),
     );
     files.extend([divide, device.divide.in_f32()]);
-    files.extend([device.fetch.file(), device.entry.file()]);
+    files.push(device.fetch.file());
+    files.extend(device.entry.files());
     files.push(if device.count {
         file!("count_on.wgsl")
     } else {

@@ -29,6 +29,7 @@ pub mod effects;
 pub mod error;
 pub mod flat;
 pub mod flatten;
+pub mod found;
 pub mod frame;
 pub mod gpu;
 pub mod kernel;

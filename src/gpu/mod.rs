@@ -18,6 +18,7 @@ mod memory;
 mod pace;
 mod portions;
 pub mod program;
+pub mod rays;
 pub mod render;
 mod retrace;
 mod samples;

@@ -172,7 +172,18 @@ impl<'a, R: Real> Prepared<'a, R> {
     ///
     /// As [`Prepared::new`]; [`Error::Limit`] where one dispatch cannot test everything.
     pub fn with_second<S: Real>(mut self, second: &Flat<S>, portions: Portions) -> Result<Self> {
-        let retrace = Retrace::set_up(self.gpu, second, &self.stage, &self.screen, portions)?;
+        let retrace = Retrace::set_up(
+            self.gpu,
+            second,
+            Entry::DoubtfulPixels,
+            &[
+                ("doubtful", &self.stage.doubtful),
+                ("pixels", &self.stage.pixels),
+                ("masks", &self.screen.masks),
+                ("split", &self.screen.split),
+            ],
+            portions,
+        )?;
         self.retrace = Some(retrace);
         Ok(self)
     }
@@ -241,7 +252,8 @@ impl<'a, R: Real> Prepared<'a, R> {
             }
             if let Some(retrace) = &mut self.retrace {
                 let orders = tile.all_orders(self.flat);
-                seconds.trace += retrace.run(self.gpu, &self.stage, &orders)?;
+                seconds.trace +=
+                    retrace.run(self.gpu, &self.stage.doubtful, &orders, self.stage.clock())?;
             }
             let mut checked = Ok(());
             let mut tests = Vec::new();

@@ -6,8 +6,8 @@ use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
 use super::program::Program;
 use super::scene::PackedScene;
-use super::screen::Screen;
-use super::stage::{Stage, uniforms};
+use super::stage::uniforms;
+use super::timestamps::Clock;
 use crate::effects::{Device, Entry, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -29,7 +29,8 @@ pub(super) struct Retrace {
 }
 
 impl Retrace {
-    /// Uploads the scene; the pixels and the list of those in doubt are the stage's.
+    /// Uploads the scene. Of `shared` are the buffers of the first pass, by the names of the
+    /// variables: the list of those in doubt, and where results go.
     ///
     /// # Errors
     ///
@@ -37,8 +38,8 @@ impl Retrace {
     pub(super) fn set_up<R: Real>(
         gpu: &Gpu,
         flat: &Flat<R>,
-        stage: &Stage,
-        screen: &Screen,
+        entry: Entry,
+        shared: &[(&'static str, &wgpu::Buffer)],
         portions: Portions,
     ) -> Result<Self> {
         let tests = flat.primitives() + flat.volumes.len() as u32;
@@ -53,7 +54,7 @@ impl Retrace {
             count: false,
             formulas: R::FORMULAS,
             width: R::WIDTH,
-            entry: Entry::Doubtful,
+            entry,
             divide: gpu.arithmetic.divide_file(),
             fetch,
         };
@@ -62,13 +63,12 @@ impl Retrace {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, usage)?;
         let mut frame = uniforms(gpu, flat, &scene.tables)?;
-        frame.extend([
-            ("dispatch", dispatch.clone()),
-            ("doubtful", stage.doubtful.clone()),
-            ("pixels", stage.pixels.clone()),
-            ("masks", screen.masks.clone()),
-            ("split", screen.split.clone()),
-        ]);
+        frame.insert("dispatch", dispatch.clone());
+        frame.extend(
+            shared
+                .iter()
+                .map(|(name, buffer)| (*name, (*buffer).clone())),
+        );
         let frame = kernel.bind(gpu, 0, |name| {
             frame.get(name).map(|buffer| buffer.as_entire_binding())
         })?;
@@ -95,13 +95,19 @@ impl Retrace {
         self.rays
     }
 
-    /// Traces the rays of the list, and empties it; gives the seconds by the stage's clock.
+    /// Traces the rays of the list, and empties it; gives the seconds by `clock`.
     ///
     /// # Errors
     ///
     /// As [`Gpu::wait`].
-    pub(super) fn run(&mut self, gpu: &Gpu, stage: &Stage, orders: &Dispatch) -> Result<f64> {
-        let count = self.read_count(gpu, stage)?;
+    pub(super) fn run(
+        &mut self,
+        gpu: &Gpu,
+        doubtful: &wgpu::Buffer,
+        orders: &Dispatch,
+        clock: Option<&Clock>,
+    ) -> Result<f64> {
+        let count = self.read_count(gpu, doubtful)?;
         self.rays += u64::from(count);
         if count == 0 {
             return Ok(0.0);
@@ -112,16 +118,16 @@ impl Retrace {
         let groups = [&self.frame, &self.scene];
         let seconds = self
             .kernel
-            .run(gpu, "retrace", &groups, workgroups, stage.clock())?;
-        gpu.queue.write_buffer(&stage.doubtful, 0, &[0; 4]);
+            .run(gpu, "retrace", &groups, workgroups, clock)?;
+        gpu.queue.write_buffer(doubtful, 0, &[0; 4]);
         Ok(seconds)
     }
 
-    fn read_count(&self, gpu: &Gpu, stage: &Stage) -> Result<u32> {
+    fn read_count(&self, gpu: &Gpu, doubtful: &wgpu::Buffer) -> Result<u32> {
         if let Some(staging) = &self.staging {
-            gpu.copy(&stage.doubtful, staging, 4);
+            gpu.copy(doubtful, staging, 4);
         }
-        let readable = self.staging.as_ref().unwrap_or(&stage.doubtful);
+        let readable = self.staging.as_ref().unwrap_or(doubtful);
         let mut count = 0;
         gpu.look_at(readable, 4, &mut |bytes| {
             count = bytemuck::pod_read_unaligned(bytes);
