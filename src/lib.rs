@@ -34,6 +34,7 @@ pub mod gpu;
 pub mod kernel;
 pub mod layout;
 pub mod measure;
+pub mod oracle;
 mod ramp;
 pub mod render;
 pub mod scene;
