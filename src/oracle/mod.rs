@@ -28,7 +28,7 @@ mod tests;
 use serde::Serialize;
 
 use self::exact::scale;
-use self::search::{Search, precise_t, settle};
+use self::search::{Hit, Place, Search, order, precise_t};
 use self::shape::Shape;
 use self::walk::walk;
 use crate::flat::{Flat, Kind};
@@ -183,25 +183,24 @@ impl<'a> Oracle<'a> {
         let Some((ray, exponent)) = tame(ray) else {
             return Vec::new();
         };
-        let candidate = |(kind, row)| {
+        let hit = |(kind, row)| {
             let (id, shape) = self.shape(kind, row);
-            settle(&shape, ray).map(|_| {
-                let [t, t_rest] = precise_t(&shape, ray).map(|part| scale(part, exponent));
-                Candidate {
-                    id,
-                    row,
-                    kind,
-                    t,
-                    t_rest,
-                }
-            })
+            Hit::of(Place { id, row, kind }, &shape, ray)
         };
-        let mut met: Vec<Candidate> = self.primitives().filter_map(candidate).collect();
-        met.sort_by(|x, y| {
-            let by_t = x.t.total_cmp(&y.t).then(x.t_rest.total_cmp(&y.t_rest));
-            by_t.then(x.id.cmp(&y.id))
-        });
-        met
+        let mut hits: Vec<Hit> = self.primitives().filter_map(hit).collect();
+        hits.sort_by(|first, second| order(self, ray, first, second));
+        let candidate = |Hit { place, .. }: Hit| {
+            let shape = self.shape(place.kind, place.row).1;
+            let [t, t_rest] = precise_t(&shape, ray).map(|part| scale(part, exponent));
+            Candidate {
+                id: place.id,
+                row: place.row,
+                kind: place.kind,
+                t,
+                t_rest,
+            }
+        };
+        hits.into_iter().map(candidate).collect()
     }
 
     /// Kind and row of every primitive.

@@ -37,6 +37,15 @@ pub struct Hit {
     high: f64,
 }
 
+impl Hit {
+    /// The hit of a primitive, if there is one.
+    #[inline]
+    pub fn of(place: Place, shape: &Shape<'_>, ray: Ray<f64>) -> Option<Self> {
+        let [low, high] = settle(shape, ray)?;
+        Some(Self { place, low, high })
+    }
+}
+
 /// The search for the nearest hit of one ray.
 pub struct Search<'a> {
     oracle: &'a Oracle<'a>,
@@ -68,41 +77,19 @@ impl<'a> Search<'a> {
     pub fn test(&mut self, kind: ShapeKind, row: u32) {
         let (id, shape) = self.oracle.shape(kind, row);
         self.tested.push((id, shape.nearness(self.ray)));
-        if let Some([low, high]) = settle(&shape, self.ray)
-            && low <= self.limit
+        if let Some(hit) = Hit::of(Place { id, row, kind }, &shape, self.ray)
+            && hit.low <= self.limit
         {
-            let place = Place { id, row, kind };
-            self.hits.push(Hit { place, low, high });
-            self.limit = self.limit.min(high);
+            self.hits.push(hit);
+            self.limit = self.limit.min(hit.high);
         }
     }
 
     /// The nearest of all hits; of those at one t, the one with the lowest id.
     pub fn nearest(&self) -> Option<Place> {
         let near = self.hits.iter().filter(|hit| hit.low <= self.limit);
-        let nearest = near.min_by(|first, second| self.order(first, second));
+        let nearest = near.min_by(|first, second| order(self.oracle, self.ray, first, second));
         nearest.map(|hit| hit.place)
-    }
-
-    /// By t, then by id. Intervals that do not overlap tell, if need be with more bits;
-    /// else t is compared exactly.
-    fn order(&self, first: &Hit, second: &Hit) -> Ordering {
-        if first.high < second.low {
-            return Ordering::Less;
-        }
-        if second.high < first.low {
-            return Ordering::Greater;
-        }
-        let [x, y] = [first, second].map(|hit| self.oracle.shape(hit.place.kind, hit.place.row).1);
-        if let Outcome::Hit(to_x) = x.decide::<Double>(self.ray)
-            && let Outcome::Hit(to_y) = y.decide::<Double>(self.ray)
-            && let Some(order) = to_x.value().minus(&to_y.value()).sign()
-            && order != Ordering::Equal
-        {
-            return order;
-        }
-        let order = compare(&exact_distance(&x, self.ray), &exact_distance(&y, self.ray));
-        order.then(first.place.id.cmp(&second.place.id))
     }
 
     /// See [`super::Truth::margin`].
@@ -117,8 +104,29 @@ impl<'a> Search<'a> {
     }
 }
 
+/// By t, then by id. Intervals that do not overlap tell, if need be with more bits; else t
+/// is compared exactly.
+pub fn order(oracle: &Oracle<'_>, ray: Ray<f64>, first: &Hit, second: &Hit) -> Ordering {
+    if first.high < second.low {
+        return Ordering::Less;
+    }
+    if second.high < first.low {
+        return Ordering::Greater;
+    }
+    let [x, y] = [first, second].map(|hit| oracle.shape(hit.place.kind, hit.place.row).1);
+    if let Outcome::Hit(to_x) = x.decide::<Double>(ray)
+        && let Outcome::Hit(to_y) = y.decide::<Double>(ray)
+        && let Some(order) = to_x.value().minus(&to_y.value()).sign()
+        && order != Ordering::Equal
+    {
+        return order;
+    }
+    let order = compare(&exact_distance(&x, ray), &exact_distance(&y, ray));
+    order.then(first.place.id.cmp(&second.place.id))
+}
+
 /// The ends of an interval that holds t, if the ray meets the shape.
-pub fn settle(shape: &Shape<'_>, ray: Ray<f64>) -> Option<[f64; 2]> {
+fn settle(shape: &Shape<'_>, ray: Ray<f64>) -> Option<[f64; 2]> {
     match shape.decide::<Bounded>(ray) {
         Outcome::Miss => None,
         Outcome::Hit(distance) => Some(distance.value().ends()),
@@ -155,7 +163,8 @@ pub fn precise_t(shape: &Shape<'_>, ray: Ray<f64>) -> [f64; 2] {
         let rounds_to = |rest: f64| t.high + rest == t.high;
         let is_sure = rounds_to(t.low - 2.0 * t.error) && rounds_to(t.low + 2.0 * t.error);
         if t.error <= t.high * PRECISION && is_sure {
-            return [t.high, t.low];
+            // -0 becomes 0.
+            return [t.high, t.low + 0.0];
         }
     }
     exact_t(shape, ray)

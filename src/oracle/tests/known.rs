@@ -31,8 +31,9 @@ fn a_tangent_hits_and_one_ulp_turns_it() {
     let inside = hit(&tangent(5_f64.next_up()), ORIGIN, AHEAD);
     assert_eq!(inside.id, 0);
     // r^2 is larger by 10 ulp of 5, so t is smaller by the root of that.
-    let half_chord = (10.0 * 5_f64.next_up() - 50.0).sqrt();
-    assert!((1e6 - inside.t - inside.t_rest - half_chord).abs() < 1e-8 * half_chord);
+    let half_chord = (10.0 * 2_f64.powi(-50)).sqrt();
+    let nearer = (1e6 - inside.t) - inside.t_rest;
+    assert!((nearer / half_chord - 1.0).abs() < 1e-14, "{inside:?}");
 }
 
 #[test]
@@ -57,25 +58,21 @@ fn a_sphere_from_without_within_and_upon() {
 
 #[test]
 fn an_inexact_t_comes_with_its_rest() {
-    // 2/5 and its nearest f64 differ by 2/5 * 2^-54 exactly: 0.4 is 3602879701896397 / 2^53
-    // less a fifth of that unit's 2.
+    // 0.4 is so many times 2^-54, and what 5 times it lacks of 2 is whole.
     let sphere = Shapes::none().sphere([0.0, 0.0, 10.0], 2.0);
     let truth = hit(&sphere, [0.0, 0.0, 10.0], [0.0, 3.0, 4.0]);
-    let units = 2_f64.powi(-53);
-    let lacking = (2.0 * 2_f64.powi(53) - 5.0 * (0.4 / units)) / 5.0 * units;
-    assert!(lacking != 0.0);
-    assert!(
-        (truth.t_rest - lacking).abs() <= 1e-7 * lacking.abs(),
-        "{truth:?} {lacking}"
-    );
-    // 8 + root 3, of which 200 digits are known.
+    let unit = 2_f64.powi(-54);
+    let lacking = (2_i64 << 54) - 5 * (0.4 / unit) as i64;
+    assert!(lacking != 0);
+    assert_eq!(truth.t_rest, lacking as f64 / 5.0 * unit);
+    // t is 8 - root 3. What the f64 of root 3 lacks is a step of Newton's, whose numerator is
+    // whole.
     let truth = hit(&sphere, [0.0, 1.0, 2.0], AHEAD);
-    assert_eq!(truth.t, 8.0 - 1.732_050_807_568_877_2);
-    let root_rest = 1.732_050_807_568_877_293_527_446_341_5_f64;
-    assert_eq!(root_rest, 3_f64.sqrt());
-    // 10 - 2 - root 3 = 6.2679491924311227064725536584941...: the f64 is exact to its last bit.
-    let exact_tail = 6.267_949_192_431_122_706_472_553_658_494_1_f64;
-    assert_eq!(truth.t, exact_tail);
+    let root = (3_f64.sqrt() * 2_f64.powi(52)) as i128;
+    let short = (3_i128 << 104) - root * root;
+    let root_rest = short as f64 / (2.0 * root as f64) * 2_f64.powi(-52);
+    let known = (8.0 - truth.t) - 3_f64.sqrt() - root_rest;
+    assert!((truth.t_rest - known).abs() < 1e-31, "{truth:?} {known}");
 }
 
 #[test]
