@@ -5,7 +5,7 @@
 //! [`mod@flatten`] turns it into plain arrays, the same bytes for both tracers;
 //! [`gpu`] or [`cpu`] traces them, the one with the shaders, the other with the
 //! [`kernel`], their twin; the result is a [`frame`], and [`compare`] says how two
-//! of them differ.
+//! of them differ. The [`oracle`] says what would be exact.
 //!
 //! # Example
 //!

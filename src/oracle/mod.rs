@@ -10,7 +10,8 @@
 //! arithmetic. [`shape`] has the formulas, once, over a [`number`]; [`filter`], [`double`]
 //! and [`exact`] are the widths; [`mod@distance`] compares hits; [`search`] takes the
 //! cheapest width that decides; [`mod@walk`] goes through the tree, if there is one;
-//! [`margin`] tells how near a decision is to turning.
+//! [`margin`] tells how near a decision is to turning. [`mod@widen`] gives it the numbers of
+//! a tracer in f32.
 
 pub mod distance;
 pub mod double;
@@ -21,6 +22,7 @@ pub mod number;
 pub mod search;
 pub mod shape;
 pub mod walk;
+pub mod widen;
 
 #[cfg(test)]
 mod tests;
@@ -132,7 +134,7 @@ impl<'a> Oracle<'a> {
     ///
     /// # Panics
     ///
-    /// Where a number is not finite.
+    /// Where a number that matters is not finite.
     pub fn closest(&self, ray: Ray<f64>) -> Truth {
         let nothing = Truth {
             id: NO_HIT,

@@ -10,7 +10,7 @@ use crate::oracle::filter::Bounded;
 use crate::oracle::shape::{Outcome, Shape};
 
 /// Rays through points that f64 finds on an edge, a rim or an outline.
-fn on_adversaries(count: u32, mut check: impl FnMut(&Shape<'_>, Ray<f64>)) {
+pub(super) fn on_adversaries(count: u32, mut check: impl FnMut(&Shape<'_>, Ray<f64>)) {
     let mut n = Numbers(5);
     for _ in 0..count {
         let corners = [n.point(10.0), n.point(10.0), n.point(10.0)];

@@ -2,6 +2,7 @@
 
 mod adversary;
 mod known;
+mod margins;
 mod pictures;
 mod widths;
 

@@ -81,7 +81,9 @@ fn check_t(shape: &Shape<'_>, ray: Ray<f64>, exact: &Distance<Exact>) {
 pub(super) fn on_random(count: u32, mut check: impl FnMut(&Shape<'_>, Ray<f64>)) {
     let mut n = Numbers(1);
     for index in 0..count {
-        let size = 10_f64.powf(n.between(-4.0, 4.0));
+        // Now and then as far as scenes go.
+        let reach = if index % 5 == 0 { 14.0 } else { 4.0 };
+        let size = 10_f64.powf(n.between(-reach, reach));
         let distance = size * 10_f64.powf(n.between(-1.0, 4.0));
         let center = n.point(distance);
         let origin = if index % 2 == 0 {
@@ -147,35 +149,37 @@ fn widths_agree_on_random_rays() {
     assert!(certain > 39_900, "{certain}");
 }
 
+/// Sums that cancel, a quotient of them, and a root.
+fn formulas<N: Divide>(numbers: [f64; 4]) -> [N; 4] {
+    let [x, y, z, w] = numbers.map(N::exact);
+    let sum = x.times(&y).plus(&z.times(&w));
+    let difference = sum.times(&x).minus(&w.times(&w));
+    let squares = sum.times(&sum).plus(&x.times(&x));
+    let quotient = difference.over(&squares);
+    [squares.square_root(), sum, difference, quotient]
+}
+
 #[test]
 fn numbers_keep_their_bounds() {
     let mut n = Numbers(2);
-    let mut number = || n.between(-1.0, 1.0) * 10_f64.powf(n.between(-12.0, 12.0));
-    for _ in 0..20_000 {
-        let [x, y, z, w] = [number(), number(), number(), number()];
-        fn formulas<N: Divide>([x, y, z, w]: [f64; 4]) -> [N; 4] {
-            let [x, y, z, w] = [x, y, z, w].map(N::exact);
-            let sum = x.times(&y).plus(&z.times(&w));
-            let difference = sum.times(&x).minus(&w);
-            let squares = sum.times(&sum).plus(&x.times(&x));
-            let quotient = difference.over(&squares);
-            [squares.square_root(), sum, difference, quotient]
-        }
-        let exact = formulas::<Exact>([x, y, z, w]);
-        let bounded = formulas::<Bounded>([x, y, z, w]);
-        let double = formulas::<Double>([x, y, z, w]);
+    let (mut bounded_beyond, mut double_beyond) = (0, 0);
+    for index in 0..20_000 {
+        let reach = [1.0, 12.0][index % 2];
+        let numbers = [0; 4].map(|_| n.between(-1.0, 1.0) * 10_f64.powf(n.between(-reach, reach)));
+        let exact = formulas::<Exact>(numbers);
+        let bounded = formulas::<Bounded>(numbers);
+        let double = formulas::<Double>(numbers);
         for ((exact, bounded), double) in exact.iter().zip(bounded).zip(double) {
             assert!(is_within(exact, &[bounded.value], bounded.error));
             assert!(is_within(exact, &[double.high, double.low], double.error));
-            // The control: the bounds are not just large, and half a rounding is too little.
-            assert!(double.error <= bounded.error * 1e-14 || bounded.error < 1e-280);
+            bounded_beyond += u32::from(!is_within(exact, &[bounded.value], bounded.error / 8.0));
+            let parts = [double.high, double.low];
+            double_beyond += u32::from(!is_within(exact, &parts, double.error / 64.0));
         }
-        let root = Bounded {
-            error: 0.0,
-            ..bounded[0]
-        };
-        let _ = root;
     }
+    // The control: of 80,000, many are beyond a part of the bound.
+    assert!(bounded_beyond > 10_000, "{bounded_beyond}");
+    assert!(double_beyond > 5_000, "{double_beyond}");
 }
 
 #[test]
@@ -205,7 +209,7 @@ fn comparison_orders_distances_as_their_values() {
         let [a, b, c] = [3.0, n.whole(6), n.whole(6)];
         let discriminant = b * b - a * c;
         let exact = Exact::exact;
-        let is_far = n.next() % 2 == 0;
+        let is_far = n.next().is_multiple_of(2);
         let t = if is_far {
             b + discriminant.sqrt()
         } else {
