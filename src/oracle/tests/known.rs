@@ -115,6 +115,35 @@ fn planes() {
 }
 
 #[test]
+fn a_t_that_is_known_poorly_at_first_may_be_the_nearest() {
+    // What is added up to 4 goes through 2^30, so f64 does not know the last 2^-22.
+    let walls = |z| {
+        Shapes::none()
+            .plane([0.0, 0.0, 4.0], [0.0, 0.0, 1.0])
+            .plane([2_f64.powi(30), 2_f64.powi(30), z], [1.0, -1.0, 1.0])
+    };
+    let off = 2_f64.powi(-30);
+    assert_hit(hit(&walls(4.0 - off), ORIGIN, AHEAD), 1, 4.0 - off);
+    assert_hit(hit(&walls(4.0), ORIGIN, AHEAD), 0, 4.0);
+    assert_hit(hit(&walls(4.0 + off), ORIGIN, AHEAD), 0, 4.0);
+}
+
+#[test]
+fn a_t_next_to_the_middle_of_two_f64_is_rounded_right() {
+    // 1 + 2^-53 is the middle; 2^-110 beside it is more than two f64 hold.
+    let beside = |small: f64| {
+        let [middle, factor] = [2_f64.powi(-53), 2_f64.powi(-50)];
+        Shapes::none().plane([middle, factor, 1.0], [1.0, small, 1.0])
+    };
+    let small = 2_f64.powi(-60);
+    let rest = 2_f64.powi(-53);
+    let above = hit(&beside(small), ORIGIN, AHEAD);
+    assert_eq!((above.t, above.t_rest), (1_f64.next_up(), -rest));
+    let below = hit(&beside(-small), ORIGIN, AHEAD);
+    assert_eq!((below.t, below.t_rest), (1.0, rest));
+}
+
+#[test]
 fn the_rim_belongs_to_a_disk() {
     let disk = |radius: f64| Shapes::none().disk([3.0, 4.0, 2.0], [0.0, 0.0, 1.0], radius);
     assert_hit(hit(&disk(5.0), ORIGIN, AHEAD), 0, 2.0);

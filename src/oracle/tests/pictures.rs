@@ -117,6 +117,24 @@ fn a_tree_changes_nothing() {
     assert!(changed > 0, "{changed}");
 }
 
+/// From so far away that the origin's rounding to f32, in which boxes are, is larger than
+/// the shapes.
+#[test]
+fn a_tree_is_as_good_from_afar() {
+    let mut n = Numbers(11);
+    let mut shapes = Shapes::none();
+    let centers: Vec<_> = (0..50).map(|_| n.point(1.0)).collect();
+    for center in &centers {
+        shapes = shapes.sphere(*center, 1e-4);
+    }
+    let toward = |center: &[f64; 3]| {
+        let from = n.point(1e5);
+        ray(from, std::array::from_fn(|axis| center[axis] - from[axis]))
+    };
+    let rays: Vec<_> = centers.iter().map(toward).collect();
+    assert_eq!(changed_by_tree(&shapes.0, &with_tree(&shapes.0), &rays), 0);
+}
+
 #[test]
 fn the_first_candidate_is_the_closest() {
     let crowd = crowd();

@@ -149,6 +149,27 @@ fn widths_agree_on_random_rays() {
     assert!(certain > 39_900, "{certain}");
 }
 
+/// Next to a surface whose radius is much larger, two f64 are not enough for t.
+#[test]
+fn t_is_as_precise_next_to_a_huge_sphere() {
+    let mut n = Numbers(10);
+    let mut hits = 0;
+    for _ in 0..1000 {
+        let center = n.point(4e6);
+        let height = 10_f64.powf(n.between(-7.0, 0.0));
+        let radius = center.map(|x| x * x).iter().sum::<f64>().sqrt() - height;
+        let offset = n.point(1e6);
+        let direction = std::array::from_fn(|axis| center[axis] + offset[axis]);
+        let sphere = Sphere { center, radius };
+        let (shape, ray) = (Shape::Sphere(&sphere), ray([0.0; 3], direction));
+        if let Outcome::Hit(distance) = shape.decide::<Exact>(ray) {
+            hits += 1;
+            check_t(&shape, ray, &distance);
+        }
+    }
+    assert!(hits > 500, "{hits}");
+}
+
 /// Sums that cancel, a quotient of them, and a root.
 fn formulas<N: Divide>(numbers: [f64; 4]) -> [N; 4] {
     let [x, y, z, w] = numbers.map(N::exact);
