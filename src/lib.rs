@@ -5,7 +5,8 @@
 //! [`mod@flatten`] turns it into plain arrays, the same bytes for both tracers;
 //! [`gpu`] or [`cpu`] traces them, the one with the shaders, the other with the
 //! [`kernel`], their twin; the result is a [`frame`], and [`compare`] says how two
-//! of them differ. [`report`] draws what was measured.
+//! of them differ. The [`oracle`] says what would be exact, [`accuracy`] how far each tier
+//! is from it; [`report`] draws what was measured.
 //!
 //! # Example
 //!
@@ -20,6 +21,7 @@
 //! # Ok::<(), rayproof::Error>(())
 //! ```
 
+pub mod accuracy;
 pub mod bounds;
 mod color;
 pub mod compare;
@@ -35,6 +37,7 @@ pub mod gpu;
 pub mod kernel;
 pub mod layout;
 pub mod measure;
+pub mod oracle;
 mod ramp;
 pub mod render;
 pub mod report;

@@ -1,0 +1,16 @@
+//! What accuracy costs and what it buys: every tier's time, and its errors against the
+//! exact answer.
+//!
+//! [`Widths`] holds a scene in the numbers of every tier and traces pictures and lists of
+//! rays in each; [`Truths`] has the exact answers; [`Errors`] is what lies between;
+//! [`hazard`] makes a scene harder, step by step.
+
+pub mod errors;
+pub mod hazard;
+pub mod truth;
+pub mod widths;
+
+pub use errors::{BAND, Errors};
+pub use hazard::Hazard;
+pub use truth::Truths;
+pub use widths::{Tracer, Widths};
