@@ -36,5 +36,6 @@ pub mod trace;
 pub mod tree;
 pub mod triangle;
 pub mod triangles;
+pub mod two_float;
 pub mod vector;
 pub mod volumes;
