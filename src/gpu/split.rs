@@ -9,6 +9,10 @@
 mod block;
 mod expressions;
 mod numbers;
+#[cfg(test)]
+mod operation_tests;
+#[cfg(test)]
+mod tests;
 
 use std::collections::{HashMap, HashSet};
 
@@ -251,6 +255,3 @@ fn signature(function: &Function) -> Function {
         ..Function::default()
     }
 }
-
-#[cfg(test)]
-mod tests;

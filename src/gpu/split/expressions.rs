@@ -142,7 +142,7 @@ impl Lowering<'_> {
             (value - f64::from(high)) as f32
         };
         if !high.is_finite() {
-            return Err(format!("no f32 is near {value}"));
+            return Err(format!("no f32 is near {value:e}"));
         }
         let components = [high, low]
             .map(|part| self.append(Expression::Literal(Literal::F32(part))))
