@@ -129,7 +129,7 @@ fn pairs() -> Vec<TwoFloat> {
         let number = |seed| random(seed) * 2.0_f64.powi((hash(seed) % 40) as i32 - 20);
         let (a, b) = (number(2 * index), number(2 * index + 1));
         let near = a * (1.0 + f64::from(index % 5) * 2.0_f64.powi(-46));
-        [a, if index % 3 == 0 { near } else { b }].map(TwoFloat::from_f64)
+        [a, if index.is_multiple_of(3) { near } else { b }].map(TwoFloat::from_f64)
     };
     (0..RAYS).flat_map(pair).collect()
 }
