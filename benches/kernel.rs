@@ -13,7 +13,8 @@ use rayproof::cpu::search::Search;
 use rayproof::cpu::wide::Wide;
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
-use rayproof::kernel::aabb::{ball_box, clip_to_box};
+use rayproof::kernel::aabb::clip_to_box;
+use rayproof::kernel::own_box::ball_box;
 use rayproof::kernel::ball::meets_ball;
 use rayproof::kernel::camera::{Ray, camera_ray};
 use rayproof::kernel::disk::intersect_disk;
@@ -147,7 +148,7 @@ fn bounding_ball<R: Width>(bencher: Bencher<'_, '_>) {
 fn bounding_box(bencher: Bencher<'_, '_>) {
     let flat = f32::shapes();
     let sphere = &flat.spheres[0];
-    let own = ball_box(Vec3::from(sphere.center), sphere.radius);
+    let own = ball_box::<f32>(Vec3::from(sphere.center), sphere.radius);
     each(bencher, flat, |probe| {
         clip_to_box(probe.slabs, own.low, own.high)
     });

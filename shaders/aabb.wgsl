@@ -1,19 +1,8 @@
 // Axis-aligned boxes, in f32 in every width of the geometry.
 //
-// A hit counts only where the ray also meets the shape's own box, and its t is
-// clamped to the ray's interval there. A box that holds the shape's box holds
-// the interval too, with no allowance for rounding: each bound is a rounded
-// difference times a rounded reciprocal, and both are monotone. So no volume
-// can lose a hit, see docs/numerics.md.
-
-// A box's padding in parts of its shape's distance from the camera: above the
-// error with which any shape test accepts a ray, which is at most 16 roundings
-// of 2^-24 of that distance.
-const PADDING: f32 = 32.0 / 16777216.0;
-
-// By how much an interval's end is moved out: above the three roundings of 2^-24
-// of a slab test. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
-const SLACK: f32 = 1.0000005;
+// A box that holds another one holds the ray's interval there too, with no allowance
+// for rounding: each bound is a rounded difference times a rounded reciprocal, and both
+// are monotone. See docs/numerics.md.
 
 // Stands for the reciprocal of zero: larger than that of any component that
 // matters, and finite, so that 0 times it is 0.
@@ -25,10 +14,14 @@ struct Aabb {
     high: vec3<f32>,
 }
 
-// What the slab test needs of a ray: where it starts, and one over each
-// component of its direction.
+// What the slab test needs of a ray.
 struct Slabs {
-    origin: vec3<f32>,
+    // Where the ray starts, moved up by what boxes are to be wider for it: what low
+    // planes are measured from.
+    above: vec3<f32>,
+    // The same, moved down.
+    below: vec3<f32>,
+    // One over each component of its direction.
     inverse: vec3<f32>,
 }
 
@@ -41,16 +34,20 @@ struct Interval {
 // 1 / component, but finite.
 fn reciprocal(component: f32) -> f32 {
     if abs(component) < 1.0 / HUGE {
-        return copy_sign(HUGE, component);
+        return select(HUGE, -HUGE, component < 0.0);
     }
-    return divide(1.0, component);
+    return divide_f32(1.0, component);
 }
 
-// The ray's slabs.
+// The ray's slabs. Boxes are padded for rays from the camera; for one that starts
+// elsewhere they are wider by as much of its origin's distance.
 fn slabs_of(ray: Ray) -> Slabs {
     let d = vec3<f32>(ray.direction);
+    let o = vec3<f32>(ray.origin);
+    let margin = ((abs(o.x) + abs(o.y)) + abs(o.z)) * padding();
+    let wider = vec3<f32>(margin, margin, margin);
     let inverse = vec3<f32>(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
-    return Slabs(vec3<f32>(ray.origin), inverse);
+    return Slabs(o + wider, o - wider, inverse);
 }
 
 // The smaller of two numbers.
@@ -65,61 +62,11 @@ fn greatest(a: f32, b: f32) -> f32 {
 
 // Where the ray is in the box, after t = 0.
 fn clip_to_box(slabs: Slabs, low: vec3<f32>, high: vec3<f32>) -> Interval {
-    let to_low = (low - slabs.origin) * slabs.inverse;
-    let to_high = (high - slabs.origin) * slabs.inverse;
+    let to_low = (low - slabs.above) * slabs.inverse;
+    let to_high = (high - slabs.below) * slabs.inverse;
     let enter_xy = greatest(least(to_low.x, to_high.x), least(to_low.y, to_high.y));
     let exit_xy = least(greatest(to_low.x, to_high.x), greatest(to_low.y, to_high.y));
     let enter = greatest(enter_xy, least(to_low.z, to_high.z));
     let exit = least(exit_xy, greatest(to_low.z, to_high.z));
-    return Interval(greatest(enter, 0.0), exit * SLACK);
-}
-
-// The box from `low` to `high`, padded for a shape whose points lie within
-// `reach` of the camera.
-fn padded_box(low: vec3<f32>, high: vec3<f32>, reach: f32) -> Aabb {
-    let padding = reach * PADDING;
-    let pad = vec3<f32>(padding, padding, padding);
-    return Aabb(low - pad, high + pad);
-}
-
-// The box of the points within `radius` of `center`: of a sphere or a disk.
-fn ball_box(center: vec3<f32>, radius: f32) -> Aabb {
-    let corner = vec3<f32>(radius, radius, radius);
-    let reach = ((abs(center.x) + abs(center.y)) + abs(center.z)) + radius;
-    return padded_box(center - corner, center + corner, reach);
-}
-
-// The box of a triangle.
-fn triangle_box(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Aabb {
-    let low = vec3<f32>(
-        least(least(a.x, b.x), c.x),
-        least(least(a.y, b.y), c.y),
-        least(least(a.z, b.z), c.z),
-    );
-    let high = vec3<f32>(
-        greatest(greatest(a.x, b.x), c.x),
-        greatest(greatest(a.y, b.y), c.y),
-        greatest(greatest(a.z, b.z), c.z),
-    );
-    let reach_x = greatest(abs(low.x), abs(high.x));
-    let reach_y = greatest(abs(low.y), abs(high.y));
-    let reach_z = greatest(abs(low.z), abs(high.z));
-    return padded_box(low, high, (reach_x + reach_y) + reach_z);
-}
-
-// t, clamped to where the ray is in the shape's own box, or MISS.
-fn clamp_to_box(slabs: Slabs, own: Aabb, t: real) -> real {
-    let interval = clip_to_box(slabs, own.low, own.high);
-    if interval.enter > interval.exit {
-        return MISS;
-    }
-    let enter = real(interval.enter);
-    let exit = real(interval.exit);
-    if t < enter {
-        return enter;
-    }
-    if t > exit {
-        return exit;
-    }
-    return t;
+    return Interval(greatest(enter, 0.0), exit * slack());
 }

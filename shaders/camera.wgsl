@@ -6,6 +6,13 @@ struct Ray {
     direction: vec3<real>,
 }
 
+// The camera, of its numbers' parts.
+fn camera_at() -> Camera {
+    let right = reals_of(camera[0]);
+    let up = reals_of(camera[1]);
+    return Camera(right.xyz, right.w, up.xyz, up.w, reals_of(camera[2]).xyz);
+}
+
 // `pixel` as a fraction of half the size: -1 at the near edge, 1 at the far edge.
 fn screen_coordinate(pixel: u32, offset: real, size: u32) -> real {
     let at = 2.0 * (real(pixel) + offset);
@@ -15,8 +22,9 @@ fn screen_coordinate(pixel: u32, offset: real, size: u32) -> real {
 // The ray through pixel (x, y), y downward from the top row. The scene is
 // camera-relative, so the origin is zero.
 fn camera_ray(size: vec2<u32>, x: u32, y: u32) -> Ray {
-    let sx = screen_coordinate(x, camera.offset_x, size.x);
-    let sy = screen_coordinate(y, camera.offset_y, size.y);
-    let across = camera.right * sx - camera.up * sy;
-    return Ray(vec3<real>(0.0, 0.0, 0.0), across + camera.forward);
+    let eye = camera_at();
+    let sx = screen_coordinate(x, eye.offset_x, size.x);
+    let sy = screen_coordinate(y, eye.offset_y, size.y);
+    let across = eye.right * sx - eye.up * sy;
+    return Ray(vec3<real>(0.0, 0.0, 0.0), across + eye.forward);
 }

@@ -3,7 +3,7 @@
 // The light that a directional light sends to a unit of surface, without
 // occlusion: colour * cos.
 fn directional_irradiance(light: LightRecord, normal: vec3<f32>) -> vec3<f32> {
-    let cosine = dot_product(normal, light.vector);
+    let cosine = dot_product_f32(normal, light.vector);
     if cosine <= 0.0 {
         return vec3<f32>(0.0, 0.0, 0.0);
     }

@@ -6,16 +6,12 @@ fn disk_at(row: u32) -> Disk {
     return Disk(first.xyz, first.w, reals_at(tables.disks, 2u * row + 1u).xyz);
 }
 
-// Tests the disk in a row of the table, within its own box.
+// Tests the disk in a row of the table.
 fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
-    let disk = disk_at(row);
-    var t = intersect_disk(probe.ray, disk);
+    let meeting = meet_disk(probe, disk_at(row));
     count_test(hit);
-    if t < MISS {
-        t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(disk.center), f32(disk.radius)), t);
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, word_at(tables.disk_ids, row), row);
-        }
+    if may_be_closest(*hit, meeting) {
+        keep_nearer(hit, meeting, word_at(tables.disk_ids, row), row);
     }
 }
 

@@ -13,6 +13,12 @@ struct Hit {
     id: u32,
     // Its row in its kind's table.
     row: u32,
+    // The ray's parameter lies between this and `high`, where formulas bound their error.
+    low: real,
+    // See `low`; MISS where nothing is hit for certain.
+    high: real,
+    // The least parameter at which the ray may meet another primitive.
+    rival: real,
     // Shapes tested so far.
     tests: u32,
     // The tile of the screen that the ray goes through.
@@ -26,6 +32,16 @@ struct Hit {
     bound_hits: u32,
 }
 
+// Where a ray meets a primitive first.
+struct Meeting {
+    // The ray's parameter there, or MISS.
+    t: real,
+    // No sooner than here; MISS where it certainly does not.
+    low: real,
+    // No later than here; MISS where it may not meet it at all.
+    high: real,
+}
+
 // What shading needs to know of a hit.
 struct Surface {
     // Camera-relative.
@@ -36,26 +52,10 @@ struct Surface {
 
 // Nothing hit, nothing tested.
 fn no_hit() -> Hit {
-    return Hit(MISS, NO_HIT, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    return Hit(MISS, NO_HIT, 0u, MISS, MISS, MISS, 0u, 0u, 0u, 0u, 0u, 0u);
 }
 
 // Counts a shape that was tested.
 fn count_test(hit: ptr<function, Hit>) {
     (*hit).tests += 1u;
-}
-
-// Whether t may be the closest. A tie is for `keep_nearer` to settle, by the ids,
-// which are read only now.
-fn may_be_closest(hit: Hit, t: real) -> bool {
-    return t <= hit.t && t < MISS;
-}
-
-// Keeps a hit if it is nearer. Of two hits at the same t the lower id stays, so the
-// order of the tests does not matter.
-fn keep_nearer(hit: ptr<function, Hit>, t: real, id: u32, row: u32) {
-    if t < (*hit).t || (t == (*hit).t && id < (*hit).id) {
-        (*hit).t = t;
-        (*hit).id = id;
-        (*hit).row = row;
-    }
 }

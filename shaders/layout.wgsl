@@ -119,7 +119,7 @@ struct Dispatch {
 }
 
 struct HitRecord {
-    t: f32,
+    t: real,
     id: u32,
     row: u32,
     tests: u32,
@@ -135,7 +135,7 @@ struct Pixel {
 }
 
 @group(0) @binding(0) var<uniform> dispatch: Dispatch;
-@group(0) @binding(1) var<uniform> camera: Camera;
+@group(0) @binding(1) var<uniform> camera: array<array<vec4<f32>, PARTS>, 3>;
 @group(0) @binding(2) var<uniform> surroundings: Surroundings;
 @group(0) @binding(3) var<uniform> tables: Tables;
 @group(0) @binding(4) var<storage, read_write> hits: array<HitRecord>;

@@ -9,11 +9,10 @@ fn plane_at(row: u32) -> Plane {
 // Tests every plane of the dispatch.
 fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
     for (var row = dispatch.planes.begin; row < dispatch.planes.end; row++) {
-        let plane = plane_at(row);
-        let t = intersect_plane(probe.ray, plane.point, plane.normal);
+        let meeting = meet_plane(probe, plane_at(row));
         count_test(hit);
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, tables.first_plane + row, row);
+        if may_be_closest(*hit, meeting) {
+            keep_nearer(hit, meeting, tables.first_plane + row, row);
         }
     }
 }

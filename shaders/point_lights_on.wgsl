@@ -4,16 +4,16 @@
 // without occlusion: colour * cos / distance^2, or colour * cos.
 fn point_irradiance(light: LightRecord, position: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
     let to_light = light.vector - position;
-    let square = dot_product(to_light, to_light);
-    let along = dot_product(normal, to_light);
+    let square = dot_product_f32(to_light, to_light);
+    let along = dot_product_f32(normal, to_light);
     if square == 0.0 || along <= 0.0 {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
-    let cosine = divide(along, square_root(square));
+    let cosine = divide_f32(along, square_root_f32(square));
     if light.inverse_square == 0u {
         return light.color * cosine;
     }
-    return light.color * divide(cosine, square);
+    return light.color * divide_f32(cosine, square);
 }
 
 // `light` and what all point lights add to it.

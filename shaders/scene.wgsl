@@ -5,11 +5,6 @@ fn word_at(table: u32, index: u32) -> u32 {
     return fetch_word(4u * table + index);
 }
 
-// Quad `index` of a table, as numbers of the geometry's width.
-fn reals_at(table: u32, index: u32) -> vec4<real> {
-    return bitcast<vec4<real>>(fetch(table + index));
-}
-
 // Quad `index` of a table, as f32.
 fn floats_at(table: u32, index: u32) -> vec4<f32> {
     return bitcast<vec4<f32>>(fetch(table + index));

@@ -6,5 +6,5 @@ fn shading_normal(
     flat_normal: vec3<f32>,
     direction: vec3<f32>,
 ) -> vec3<f32> {
-    return face_viewer(flat_normal, direction);
+    return face_viewer_f32(flat_normal, direction);
 }

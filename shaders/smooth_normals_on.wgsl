@@ -18,11 +18,11 @@ fn shading_normal(
     let b = vertex_normal_at(corners.y);
     let c = vertex_normal_at(corners.z);
     let blend = (a * weights.x + b * weights.y) + c * weights.z;
-    if dot_product(blend, blend) == 0.0 {
-        return face_viewer(flat_normal, direction);
+    if dot_product_f32(blend, blend) == 0.0 {
+        return face_viewer_f32(flat_normal, direction);
     }
-    let normal = unit_vector(blend);
-    if dot_product(normal, face_viewer(flat_normal, direction)) < 0.0 {
+    let normal = unit_vector_f32(blend);
+    if dot_product_f32(normal, face_viewer_f32(flat_normal, direction)) < 0.0 {
         return -normal;
     }
     return normal;

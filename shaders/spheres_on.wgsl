@@ -6,16 +6,12 @@ fn sphere_at(row: u32) -> Sphere {
     return Sphere(quad.xyz, quad.w);
 }
 
-// Tests the sphere in a row of the table, within its own box.
+// Tests the sphere in a row of the table.
 fn test_sphere(probe: Probe, row: u32, hit: ptr<function, Hit>) {
-    let sphere = sphere_at(row);
-    var t = intersect_sphere(probe.ray, sphere);
+    let meeting = meet_sphere(probe, sphere_at(row));
     count_test(hit);
-    if t < MISS {
-        t = clamp_to_box(probe.slabs, ball_box(vec3<f32>(sphere.center), f32(sphere.radius)), t);
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, word_at(tables.sphere_ids, row), row);
-        }
+    if may_be_closest(*hit, meeting) {
+        keep_nearer(hit, meeting, word_at(tables.sphere_ids, row), row);
     }
 }
 

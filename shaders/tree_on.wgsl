@@ -60,7 +60,7 @@ fn test_leaf(probe: Probe, leaf: u32, hit: ptr<function, Hit>) -> bool {
 
 // Whether something in the box may be nearer than the hit, or as near.
 fn may_be_nearer(interval: Interval, hit: Hit) -> bool {
-    return interval.enter <= interval.exit && real(interval.enter) <= hit.t;
+    return interval.enter <= interval.exit && real(interval.enter) <= limit_of(hit);
 }
 
 // The last of those that wait, or NOWHERE. It may be farther than the hit by now: to

@@ -14,22 +14,13 @@ fn triangle_of(corners: vec4<u32>) -> Triangle {
     );
 }
 
-// The t at which the ray meets the triangle within its own box, or MISS.
-fn meet_triangle(probe: Probe, triangle: Triangle) -> real {
-    let t = intersect_triangle(probe.ray, probe.shear, triangle);
-    if t < MISS {
-        return clamp_to_box(probe.slabs, triangle_box(vec3<f32>(triangle.a), vec3<f32>(triangle.b), vec3<f32>(triangle.c)), t);
-    }
-    return t;
-}
-
 // Tests the triangle in a row of the table.
 fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let corners = corners_at(row);
-    let t = meet_triangle(probe, triangle_of(corners));
+    let meeting = meet_triangle(probe, triangle_of(corners));
     count_test(hit);
-    if may_be_closest(*hit, t) {
-        keep_nearer(hit, t, corners.w, row);
+    if may_be_closest(*hit, meeting) {
+        keep_nearer(hit, meeting, corners.w, row);
     }
 }
 

@@ -41,6 +41,11 @@ fn tame_vector(v: vec3<real>) -> vec3<real> {
     return vec3<real>(divide(v.x, largest), divide(v.y, largest), divide(v.z, largest));
 }
 
+// |v.x| + |v.y| + |v.z|: from |v| to 1.74 |v|, without a root.
+fn taxicab_length(v: vec3<real>) -> real {
+    return (abs(v.x) + abs(v.y)) + abs(v.z);
+}
+
 // n, or -n where n points along `direction`, so that it faces who looks.
 fn face_viewer(n: vec3<real>, direction: vec3<real>) -> vec3<real> {
     if dot_product(n, direction) > 0.0 {

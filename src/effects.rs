@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::flat::Counts;
 use crate::gpu::program::Source;
+use crate::tier::{Formulas, Width};
 
 /// A part of the shader that only some scenes need.
 pub struct Effect {
@@ -30,27 +31,54 @@ impl Effect {
 
 macro_rules! file {
     ($name:literal) => {
-        Source {
-            name: $name,
-            text: include_str!(concat!("../shaders/", $name)),
-        }
+        Source::new($name, include_str!(concat!("../shaders/", $name)))
     };
 }
 
 /// Files that every scene needs.
 const ALWAYS: &[Source] = &[
-    file!("real_f32.wgsl"),
     file!("layout.wgsl"),
     file!("scene.wgsl"),
     file!("vector.wgsl"),
+    file!("vector.wgsl").in_f32(),
     file!("camera.wgsl"),
     file!("aabb.wgsl"),
+    file!("own_box.wgsl"),
     file!("probe.wgsl"),
     file!("hit.wgsl"),
+    file!("doubt_off.wgsl"),
     file!("background.wgsl"),
     file!("lambert.wgsl"),
     file!("trace.wgsl"),
 ];
+
+/// In place of which files a textbook's are taken.
+const TEXTBOOK: &[(&str, Source)] = &[
+    ("own_box.wgsl", file!("own_box_textbook.wgsl")),
+    ("sphere.wgsl", file!("sphere_textbook.wgsl")),
+    ("plane.wgsl", file!("plane_textbook.wgsl")),
+    ("triangle.wgsl", file!("triangle_textbook.wgsl")),
+];
+
+/// In place of which files those are taken that bound their error.
+const BOUNDED: &[(&str, Source)] = &[
+    ("doubt_off.wgsl", file!("doubt_on.wgsl")),
+    ("sphere_meeting.wgsl", file!("sphere_bounded.wgsl")),
+    ("plane_meeting.wgsl", file!("plane_bounded.wgsl")),
+    ("disk_meeting.wgsl", file!("disk_bounded.wgsl")),
+    ("triangle_meeting.wgsl", file!("triangle_bounded.wgsl")),
+];
+
+/// The file with these formulas.
+fn by_formulas(file: Source, formulas: Formulas) -> Source {
+    let others = match formulas {
+        Formulas::Textbook => TEXTBOOK,
+        Formulas::Stable => &[],
+        Formulas::Bounded => BOUNDED,
+    };
+    let other = others.iter().find(|(name, _)| *name == file.name);
+    other.map_or(file, |(_, other)| *other)
+}
 
 /// Division and square root as the device has them.
 pub const DIVIDE_NATIVE: Source = file!("divide_native.wgsl");
@@ -93,11 +121,43 @@ impl Fetch {
     }
 }
 
+/// What a shader goes through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Entry {
+    /// The pixels of a tile.
+    Tile,
+    /// Those of them whose rays are in doubt.
+    Doubtful,
+}
+
+impl Entry {
+    fn file(self) -> Source {
+        match self {
+            Self::Tile => file!("tile.wgsl"),
+            Self::Doubtful => file!("retrace.wgsl"),
+        }
+    }
+}
+
+/// The number type of the geometry.
+fn real_file(width: Width) -> Source {
+    match width {
+        Width::Single => file!("real_f32.wgsl"),
+        Width::Extended | Width::Double => file!("real_f64.wgsl"),
+    }
+}
+
 /// What a device brings to every shader, and what is asked of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Device {
     /// Whether volumes are counted.
     pub count: bool,
+    /// Which formulas.
+    pub formulas: Formulas,
+    /// In which numbers.
+    pub width: Width,
+    /// What is gone through.
+    pub entry: Entry,
     /// Division and square root.
     pub divide: Source,
     /// Where the scene lies.
@@ -109,13 +169,21 @@ pub const EFFECTS: &[Effect] = &[
     Effect {
         name: "spheres",
         called_for: |counts| counts.spheres > 0,
-        on: &[file!("sphere.wgsl"), file!("spheres_on.wgsl")],
+        on: &[
+            file!("sphere.wgsl"),
+            file!("sphere_meeting.wgsl"),
+            file!("spheres_on.wgsl"),
+        ],
         off: &[file!("spheres_off.wgsl")],
     },
     Effect {
         name: "planes",
         called_for: |counts| counts.planes > 0,
-        on: &[file!("plane.wgsl"), file!("planes_on.wgsl")],
+        on: &[
+            file!("plane.wgsl"),
+            file!("plane_meeting.wgsl"),
+            file!("planes_on.wgsl"),
+        ],
         off: &[file!("planes_off.wgsl")],
     },
     Effect {
@@ -123,7 +191,9 @@ pub const EFFECTS: &[Effect] = &[
         called_for: |counts| counts.disks > 0,
         on: &[
             file!("plane.wgsl"),
+            file!("plane_meeting.wgsl"),
             file!("disk.wgsl"),
+            file!("disk_meeting.wgsl"),
             file!("disks_on.wgsl"),
         ],
         off: &[file!("disks_off.wgsl")],
@@ -131,7 +201,11 @@ pub const EFFECTS: &[Effect] = &[
     Effect {
         name: "triangles",
         called_for: |counts| counts.triangles > 0,
-        on: &[file!("triangle.wgsl"), file!("triangles_on.wgsl")],
+        on: &[
+            file!("triangle.wgsl"),
+            file!("triangle_meeting.wgsl"),
+            file!("triangles_on.wgsl"),
+        ],
         off: &[file!("triangles_off.wgsl")],
     },
     Effect {
@@ -200,8 +274,15 @@ pub fn shader_files(counts: &Counts, device: Device) -> Vec<Source> {
 
 /// The shader files with exactly the effects that `chosen` accepts.
 pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Source> {
-    let mut files = ALWAYS.to_vec();
-    files.extend([device.divide, device.fetch.file()]);
+    let divide = match device.width {
+        Width::Single => device.divide,
+        // Wider numbers are divided as the device does it, or by way of f32.
+        Width::Extended | Width::Double => DIVIDE_NATIVE,
+    };
+    let mut files = vec![real_file(device.width)];
+    files.extend(ALWAYS.iter().map(|file| by_formulas(*file, device.formulas)));
+    files.extend([divide, device.divide.in_f32()]);
+    files.extend([device.fetch.file(), device.entry.file()]);
     files.push(if device.count {
         file!("count_on.wgsl")
     } else {
@@ -209,8 +290,9 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Sou
     });
     for effect in EFFECTS {
         for file in effect.files(chosen(effect)) {
+            let file = by_formulas(*file, device.formulas);
             if !files.iter().any(|present| present.name == file.name) {
-                files.push(*file);
+                files.push(file);
             }
         }
     }

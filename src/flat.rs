@@ -161,20 +161,24 @@ impl<R> Flat<R> {
     }
 
     /// Bytes of the scene as the shaders read it, in quads, and in this width.
-    pub fn bytes(&self) -> u64 {
-        let words = |count: usize| (count * size_of::<u32>()).next_multiple_of(QUAD * 4);
-        let vectors = |count: usize, width: usize| count * QUAD * width;
-        let bytes = size_of_val(self.spheres.as_slice())
+    pub fn bytes(&self) -> u64
+    where
+        R: Real,
+    {
+        let quad = QUAD * size_of::<f32>();
+        let words = |count: usize| (count * size_of::<u32>()).next_multiple_of(quad);
+        let reals = |fours: usize| fours * quad * R::WIDTH.parts();
+        let bytes = reals(self.spheres.len())
             + words(self.sphere_ids.len())
-            + size_of_val(self.planes.as_slice())
-            + size_of_val(self.disks.as_slice())
+            + reals(2 * self.planes.len())
+            + reals(2 * self.disks.len())
             + words(self.disk_ids.len())
             + size_of_val(self.triangles.as_slice())
-            + vectors(self.vertices.len(), size_of::<R>())
-            + vectors(self.vertex_normals.len(), size_of::<f32>())
+            + reals(self.vertices.len())
+            + self.vertex_normals.len() * quad
             + size_of_val(self.pairs.as_slice())
             + size_of_val(self.volumes.as_slice())
-            + size_of_val(self.balls.as_slice())
+            + reals(self.balls.len())
             + size_of_val(self.boxes.as_slice())
             + size_of_val(self.materials.as_slice())
             + words(self.material_indices.len())

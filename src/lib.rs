@@ -5,7 +5,7 @@
 //! [`mod@flatten`] turns it into plain arrays, the same bytes for both tracers;
 //! [`gpu`] or [`cpu`] traces them, the one with the shaders, the other with the
 //! [`kernel`], their twin; the result is a [`frame`], and [`compare`] says how two
-//! of them differ.
+//! of them differ. [`report`] draws what was measured.
 //!
 //! # Example
 //!
@@ -36,7 +36,9 @@ pub mod layout;
 pub mod measure;
 mod ramp;
 pub mod render;
+pub mod report;
 pub mod scene;
+pub mod tier;
 pub mod watch;
 
 pub use compare::{Comparison, Tolerance, compare_frames};

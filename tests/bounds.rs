@@ -12,7 +12,7 @@ use rayproof::bounds::{Bounds, bound};
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
 use rayproof::gpu::render::{Portions, render};
-use rayproof::kernel::aabb::{ball_box, clamp_to_box, triangle_box};
+use rayproof::kernel::own_box::{ball_box, clamp_to_box, triangle_box};
 use rayproof::kernel::camera::camera_ray;
 use rayproof::kernel::disk::intersect_disk;
 use rayproof::kernel::hit::GIVEN_UP;
@@ -157,18 +157,18 @@ fn accepted(
     probe: rayproof::kernel::probe::Probe<f32>,
 ) -> Vec<(f32, rayproof::kernel::aabb::Aabb)> {
     let spheres = flat.spheres.iter().map(|sphere| {
-        let own = ball_box(Vec3::from(sphere.center), sphere.radius);
+        let own = ball_box::<f32>(Vec3::from(sphere.center), sphere.radius);
         (intersect_sphere(probe.ray, sphere), own)
     });
     let disks = flat.disks.iter().map(|disk| {
         (
             intersect_disk(probe.ray, disk),
-            ball_box(Vec3::from(disk.center), disk.radius),
+            ball_box::<f32>(Vec3::from(disk.center), disk.radius),
         )
     });
     let triangles = flat.triangles.iter().map(|&corners| {
         let triangle = triangle_of(flat, corners);
-        let own = triangle_box(
+        let own = triangle_box::<f32>(
             Vec3::from(triangle.a),
             Vec3::from(triangle.b),
             Vec3::from(triangle.c),

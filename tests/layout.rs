@@ -273,16 +273,10 @@ fn every_combination_of_effects_compiles() {
 fn errors_name_the_shader_file() {
     use rayproof::gpu::program::Source;
     let mut files = select_files(|_| true, NATIVE);
-    files.push(Source {
-        name: "broken.wgsl",
-        text: "fn fine() {}\n\nfn broken() { return 1.0; }\n",
-    });
+    files.push(Source::new("broken.wgsl", "fn fine() {}\n\nfn broken() { return 1.0; }\n"));
     let error = Program::build(&files).unwrap_err().to_string();
     assert!(error.contains("shaders/broken.wgsl:3"), "{error}");
-    files.push(Source {
-        name: "worse.wgsl",
-        text: "fn worse( {\n",
-    });
+    files.push(Source::new("worse.wgsl", "fn worse( {\n"));
     let error = Program::build(&files).unwrap_err().to_string();
     assert!(error.contains("shaders/worse.wgsl:1"), "{error}");
 }

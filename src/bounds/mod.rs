@@ -35,7 +35,8 @@ use self::pairs::pack_pairs;
 use self::screen::words_of_tile;
 use self::volumes::{Listing, list_volumes};
 use crate::flat::{Flat, Kind};
-use crate::kernel::aabb::{Aabb, ball_box, triangle_box};
+use crate::kernel::aabb::Aabb;
+use crate::kernel::own_box::{ball_box, triangle_box};
 use crate::kernel::real::Real;
 use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::Vec3;
@@ -123,14 +124,14 @@ fn grow_tree<R: Real>(flat: &mut Flat<R>) {
 
 /// The own box of the primitive in a row of its kind's table.
 pub fn box_of_row<R: Real>(flat: &Flat<R>, kind: Kind, row: usize) -> Aabb {
-    let ball = |center: [R; 3], radius: R| ball_box(Vec3::from(center).to_f32(), radius.to_f32());
+    let ball = |center: [R; 3], radius: R| ball_box::<R>(Vec3::from(center).to_f32(), radius.to_f32());
     match kind {
         Kind::Sphere => ball(flat.spheres[row].center, flat.spheres[row].radius),
         Kind::Disk => ball(flat.disks[row].center, flat.disks[row].radius),
         Kind::Triangle => {
             let triangle = triangle_of(flat, flat.triangles[row]);
             let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| Vec3::from(v).to_f32());
-            triangle_box(a, b, c)
+            triangle_box::<R>(a, b, c)
         }
     }
 }

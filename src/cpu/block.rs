@@ -1,10 +1,14 @@
 //! Up to four triangles that are tested at once.
 
 use crate::flat::Flat;
+use crate::kernel::doubt::ERROR;
 use crate::kernel::probe::Probe;
-use crate::kernel::real::Real;
+use crate::kernel::real::{Real, constant};
+use crate::kernel::triangle_textbook::EDGE_ON;
 use crate::kernel::triangles::triangle_of;
+use crate::kernel::vector::taxicab_length;
 use crate::layout::Triangle;
+use crate::tier::Formulas;
 
 /// Triangles of a block.
 pub const LANES: usize = 4;
@@ -62,38 +66,106 @@ impl<R: Real> Block<R> {
         }
     }
 
-    /// The lanes, a bit each, that the ray does not pass by on one side: the signs of
-    /// the edge functions, with the very roundings of
-    /// [`crate::kernel::triangle::edge_functions`].
+    /// The lanes, a bit each, that the ray may meet.
     #[inline]
     pub fn met(&self, probe: &Probe<R>) -> u32 {
+        let met = match R::FORMULAS {
+            Formulas::Textbook => self.met_by_determinant(probe),
+            _ => self.met_by_edges(probe),
+        };
+        met & ((1 << self.count) - 1)
+    }
+
+    /// Those that the ray does not pass by on one side: the signs of the edge functions,
+    /// with the very roundings of [`crate::kernel::triangle::edge_functions`], or of
+    /// [`crate::kernel::triangle_bounded`] and past its bounds.
+    #[inline]
+    fn met_by_edges(&self, probe: &Probe<R>) -> u32 {
         let shear = probe.shear;
         let origin: [R; 3] = probe.ray.origin.into();
         let axis = shear.axis as usize;
         let (x, y, z) = (NEXT[axis], NEXT[axis + 1], axis);
-        let sheared = |corner: &[Lane<R>; 3]| {
+        let mut distance = [R::ZERO; LANES];
+        let mut sheared = |corner: &[Lane<R>; 3]| {
             let mut across = [R::ZERO; LANES];
             let mut up = [R::ZERO; LANES];
             for lane in 0..LANES {
                 let along = corner[z][lane] - origin[z];
-                across[lane] = (corner[x][lane] - origin[x]) - shear.x * along;
-                up[lane] = (corner[y][lane] - origin[y]) - shear.y * along;
+                let right = corner[x][lane] - origin[x];
+                let above = corner[y][lane] - origin[y];
+                across[lane] = right - shear.x * along;
+                up[lane] = above - shear.y * along;
+                if R::FORMULAS == Formulas::Bounded {
+                    let far = (right.abs() + above.abs()) + along.abs();
+                    if far > distance[lane] {
+                        distance[lane] = far;
+                    }
+                }
             }
             (across, up)
         };
         let (ax, ay) = sheared(&self.corners[0]);
         let (bx, by) = sheared(&self.corners[1]);
         let (cx, cy) = sheared(&self.corners[2]);
+        let beyond = R::TWO * taxicab_length(probe.ray.origin);
         let mut met = 0;
         for lane in 0..LANES {
             let (u_left, u_right) = (cx[lane] * by[lane], cy[lane] * bx[lane]);
             let (v_left, v_right) = (ax[lane] * cy[lane], ay[lane] * cx[lane]);
             let (w_left, w_right) = (bx[lane] * ay[lane], by[lane] * ax[lane]);
-            let none_negative = (u_left >= u_right) & (v_left >= v_right) & (w_left >= w_right);
-            let none_positive = (u_left <= u_right) & (v_left <= v_right) & (w_left <= w_right);
-            met |= u32::from(none_negative | none_positive) << lane;
+            let (negative, positive) = if R::FORMULAS == Formulas::Bounded {
+                let error = (distance[lane] + beyond) * constant(ERROR);
+                let across = (ax[lane].abs() + ay[lane].abs())
+                    + (bx[lane].abs() + by[lane].abs())
+                    + (cx[lane].abs() + cy[lane].abs());
+                let slack = (across + R::TWO * error) * error;
+                let [u, v, w] = [u_left - u_right, v_left - v_right, w_left - w_right];
+                (
+                    (u < -slack) | (v < -slack) | (w < -slack),
+                    (u > slack) | (v > slack) | (w > slack),
+                )
+            } else {
+                (
+                    !((u_left >= u_right) & (v_left >= v_right) & (w_left >= w_right)),
+                    !((u_left <= u_right) & (v_left <= v_right) & (w_left <= w_right)),
+                )
+            };
+            met |= u32::from(!(negative & positive)) << lane;
         }
-        met & ((1 << self.count) - 1)
+        met
+    }
+
+    /// Those that the textbook's formula does not miss, with the very roundings of
+    /// [`crate::kernel::triangle_textbook`].
+    #[inline]
+    fn met_by_determinant(&self, probe: &Probe<R>) -> u32 {
+        let [dx, dy, dz]: [R; 3] = probe.ray.direction.into();
+        let [ox, oy, oz]: [R; 3] = probe.ray.origin.into();
+        let [a, b, c] = &self.corners;
+        let mut met = 0;
+        for lane in 0..LANES {
+            let (ex, ey, ez) = (
+                b[0][lane] - a[0][lane],
+                b[1][lane] - a[1][lane],
+                b[2][lane] - a[2][lane],
+            );
+            let (fx, fy, fz) = (
+                c[0][lane] - a[0][lane],
+                c[1][lane] - a[1][lane],
+                c[2][lane] - a[2][lane],
+            );
+            let (px, py, pz) = (dy * fz - dz * fy, dz * fx - dx * fz, dx * fy - dy * fx);
+            let determinant = (ex * px + ey * py) + ez * pz;
+            let inverse = constant::<R>(1.0) / determinant;
+            let (sx, sy, sz) = (ox - a[0][lane], oy - a[1][lane], oz - a[2][lane]);
+            let u = ((sx * px + sy * py) + sz * pz) * inverse;
+            let (qx, qy, qz) = (sy * ez - sz * ey, sz * ex - sx * ez, sx * ey - sy * ex);
+            let v = ((dx * qx + dy * qy) + dz * qz) * inverse;
+            let outside = (u < R::ZERO) | (v < R::ZERO) | (u + v > constant(1.0));
+            let edge_on = determinant.abs() < constant(EDGE_ON);
+            met |= u32::from(!(outside | edge_on)) << lane;
+        }
+        met
     }
 }
 

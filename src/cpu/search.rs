@@ -4,11 +4,12 @@ use wide::f32x8;
 
 use super::wide::{Node, WIDTH, Wide};
 use crate::flat::{Flat, Kind};
-use crate::kernel::aabb::{SLACK, Slabs};
-use crate::kernel::hit::{Hit, keep_nearer, may_be_closest, no_hit};
+use crate::kernel::aabb::Slabs;
+use crate::kernel::doubt::{keep_nearer, limit_of, may_be_closest};
+use crate::kernel::hit::{Hit, no_hit};
 use crate::kernel::planes::closest_plane;
 use crate::kernel::probe::Probe;
-use crate::kernel::real::Real;
+use crate::kernel::real::{Real, constant};
 use crate::kernel::trace::{find_hit, test_rows};
 use crate::kernel::triangles::meet_triangle;
 use crate::layout::{LEAF, NO_HIT, leaf_parts};
@@ -25,16 +26,20 @@ pub struct Search<'a, R> {
 
 /// A ray's slabs, eight times each, and which plane of an axis it meets first.
 struct Slabs8 {
-    origin: [f32x8; 3],
+    /// What low planes are measured from, then high ones.
+    origins: [[f32x8; 2]; 3],
     inverse: [f32x8; 3],
+    slack: f32x8,
     near: [usize; 3],
 }
 
 impl Slabs8 {
     fn new(slabs: Slabs) -> Self {
         let inverse: [f32; 3] = slabs.inverse.into();
+        let (above, below): ([f32; 3], [f32; 3]) = (slabs.above.into(), slabs.below.into());
         Self {
-            origin: <[f32; 3]>::from(slabs.origin).map(f32x8::splat),
+            origins: [0, 1, 2].map(|axis| [above[axis], below[axis]].map(f32x8::splat)),
+            slack: f32x8::splat(slabs.slack),
             inverse: inverse.map(f32x8::splat),
             near: inverse.map(|inverse| usize::from(inverse < 0.0)),
         }
@@ -45,13 +50,14 @@ impl Slabs8 {
     #[inline]
     fn clip(&self, node: &Node, limit: f32x8) -> ([f32; WIDTH], u32) {
         let plane = |axis: usize, far: usize| {
-            let planes = f32x8::from(node.planes[axis][self.near[axis] ^ far]);
-            (planes - self.origin[axis]) * self.inverse[axis]
+            let side = self.near[axis] ^ far;
+            let planes = f32x8::from(node.planes[axis][side]);
+            (planes - self.origins[axis][side]) * self.inverse[axis]
         };
         let enter = plane(0, 0).fast_max(plane(1, 0)).fast_max(plane(2, 0));
         let enter = enter.fast_max(f32x8::ZERO);
         let exit = plane(0, 1).fast_min(plane(1, 1)).fast_min(plane(2, 1));
-        let exit = exit * f32x8::splat(SLACK);
+        let exit = exit * self.slack;
         let met = enter.simd_le(exit.fast_min(limit)).to_bitmask();
         (enter.to_array(), met)
     }
@@ -60,7 +66,7 @@ impl Slabs8 {
 /// No smaller than t.
 fn above<R: Real>(t: R) -> f32 {
     let near = t.to_f32();
-    if R::from_f64(f64::from(near)) < t {
+    if constant::<R>(near) < t {
         near.next_up()
     } else {
         near
@@ -111,7 +117,7 @@ impl<'a, R: Real> Search<'a, R> {
         let waiting = &mut self.waiting[..];
         let mut depth = 0;
         let mut at = 0;
-        let mut limit = above(hit.t);
+        let mut limit = above(limit_of(*hit));
         loop {
             let mut next = None;
             if at & LEAF == 0 {
@@ -123,7 +129,7 @@ impl<'a, R: Real> Search<'a, R> {
                 if enough(hit) {
                     return;
                 }
-                limit = above(hit.t);
+                limit = above(limit_of(*hit));
             }
             match next.or_else(|| next_waiting(waiting, &mut depth, limit)) {
                 Some(next) => at = next,
@@ -201,9 +207,9 @@ fn test_leaf<R: Real>(
     while met != 0 {
         let lane = met.trailing_zeros() as usize;
         met &= met - 1;
-        let t = meet_triangle(probe, &block.triangle(lane));
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, block.ids[lane], block.first + lane as u32);
+        let meeting = meet_triangle(probe, &block.triangle(lane));
+        if may_be_closest(*hit, meeting) {
+            keep_nearer(hit, meeting, block.ids[lane], block.first + lane as u32);
         }
     }
 }

@@ -8,11 +8,13 @@ mod output;
 mod picture;
 mod png;
 pub mod transfer;
+mod verdict;
 
 pub use layer::Layer;
 pub use output::{check_writable, while_nothing_is_written, write_atomically};
 pub use picture::{Channel, Picture, PictureValues, Samples, read_image};
 pub use png::write_rgb8;
+pub use verdict::{Verdict, ulp_colors, wrong_colors};
 
 use crate::kernel::hit::GIVEN_UP;
 pub use crate::layout::NO_HIT;

@@ -26,7 +26,7 @@ fn bounded(name: &str) -> Flat<f32> {
 /// Has the shader say, in place of the tests, whether something is met up to `limit`.
 fn ask_for_any_hit(files: &mut [Source], limit: f32) {
     let search = "closest_hit(probe_of(ray), &hit);";
-    let file = files.iter_mut().find(|file| file.name == "trace.wgsl");
+    let file = files.iter_mut().find(|file| file.name == "tile.wgsl");
     let file = file.unwrap();
     // In the pass of its own, and in that which colours.
     assert_eq!(file.text.matches(search).count(), 2);

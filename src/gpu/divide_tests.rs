@@ -11,10 +11,7 @@ use super::samples::{hash, quotient_near_midpoint, root_near_midpoint};
 use super::selfcheck::{measure_f32, output, read, run};
 use crate::effects::{DIVIDE_CORRECTED, Device, Fetch, select_files};
 
-const REAL: Source = Source {
-    name: "real_f32.wgsl",
-    text: include_str!("../../shaders/real_f32.wgsl"),
-};
+const REAL: Source = Source::new("real", "alias real = f32;");
 
 /// Operators that are off by -`MOST_OFF` to `MOST_OFF` ulp, as the inputs' bits say.
 const LOOSE: &str = "
@@ -26,9 +23,9 @@ const LOOSE: &str = "
     }";
 
 /// Both operations as they stand in the file, and the operators beneath them.
-const KERNEL: Source = Source {
-    name: "divide_tests",
-    text: "
+const KERNEL: Source = Source::new(
+    "divide_tests",
+    "
         @group(0) @binding(0) var<storage, read> inputs: array<vec2<u32>>;
         @group(0) @binding(1) var<storage, read_write> results: array<vec4<u32>>;
         @compute @workgroup_size(64)
@@ -39,7 +36,7 @@ const KERNEL: Source = Source {
             results[at.x] = bitcast<vec4<u32>>(
                 vec4(divide(a, b), square_root(a), native_quotient(a, b), native_root(a)));
         }",
-};
+);
 
 /// What does not equal Rust's bits; any NaN equals any other.
 #[derive(Debug, Default, PartialEq)]
@@ -80,10 +77,7 @@ fn loosened(most_off: u32) -> Source {
         text = text.replace(plain, loose);
     }
     text += &LOOSE.replace("MOST_OFF", &format!("{most_off}u"));
-    Source {
-        name: DIVIDE_CORRECTED.name,
-        text: text.leak(),
-    }
+    Source::new(DIVIDE_CORRECTED.name, text.leak())
 }
 
 fn calculate(gpu: &Gpu, divide: Source, inputs: &[[f32; 2]]) -> Wrong {
@@ -218,9 +212,9 @@ fn the_correction_fits_beside_every_other_file() {
 }
 
 /// A quotient and a root with one residual step: all but correctly rounded.
-const NEARLY: Source = Source {
-    name: "nearly",
-    text: "
+const NEARLY: Source = Source::new(
+    "nearly",
+    "
         fn product_error(a: f32, b: f32, product: f32) -> f32 {
             let a_high = bitcast<f32>(bitcast<u32>(a) & 0xfffff000u);
             let b_high = bitcast<f32>(bitcast<u32>(b) & 0xfffff000u);
@@ -243,7 +237,7 @@ const NEARLY: Source = Source {
         }
         fn native_quotient(a: f32, b: f32) -> f32 { return a * (1.0 / b); }
         fn native_root(a: f32) -> f32 { return a * inverseSqrt(a); }",
-};
+);
 
 #[test]
 fn only_midpoints_tell_a_nearly_correct_division() {
@@ -269,14 +263,14 @@ fn only_midpoints_tell_a_nearly_correct_division() {
 }
 
 /// A division that reckons with a reciprocal, and flushes it if it is denormal.
-const FLUSHING: Source = Source {
-    name: "flushing",
-    text: "
+const FLUSHING: Source = Source::new(
+    "flushing",
+    "
         fn divide(a: f32, b: f32) -> f32 {
             return select(a / b, 0.0, abs(b) > 8.507059173023462e37);
         }
         fn square_root(a: f32) -> f32 { return sqrt(a); }",
-};
+);
 
 #[test]
 fn the_self_check_tells_loose_operators_from_corrected_ones() {

@@ -19,6 +19,7 @@ mod pace;
 mod portions;
 pub mod program;
 pub mod render;
+mod retrace;
 mod samples;
 mod scene;
 mod scratch;

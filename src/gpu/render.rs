@@ -13,14 +13,16 @@ use super::memory::{SceneMemory, best_fetch};
 use super::pace::Pace;
 pub use super::portions::{Portions, Seconds};
 use super::program::{Program, Source};
+use super::retrace::Retrace;
 use super::scene::PackedScene;
 use super::screen::Screen;
 use super::stage::Stage;
 use super::tile::Tile;
 use crate::count::{CountMap, Counted};
-use crate::effects::{Device, Fetch, shader_files};
+use crate::effects::{Device, Entry, Fetch, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
+use crate::kernel::real::Real;
 use crate::layout::{Dispatch, Pixel};
 use crate::watch::Watch;
 
@@ -37,9 +39,9 @@ const TREE_TESTS: u32 = 32;
 /// # Errors
 ///
 /// As those two.
-pub fn render(
+pub fn render<R: Real>(
     gpu: &Gpu,
-    flat: &Flat<f32>,
+    flat: &Flat<R>,
     portions: Portions,
     watch: &dyn Watch,
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
@@ -52,7 +54,7 @@ pub fn render(
 /// # Errors
 ///
 /// As [`render`].
-pub fn count(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch) -> Result<CountMap> {
+pub fn count<R: Real>(gpu: &Gpu, flat: &Flat<R>, watch: &dyn Watch) -> Result<CountMap> {
     let portions = Portions {
         count: true,
         ..Portions::default()
@@ -67,13 +69,14 @@ pub fn count(gpu: &Gpu, flat: &Flat<f32>, watch: &dyn Watch) -> Result<CountMap>
 
 /// A scene on a device, uploaded and its shaders compiled: ready to be traced,
 /// any number of times.
-pub struct Prepared<'a> {
+pub struct Prepared<'a, R> {
     gpu: &'a Gpu,
-    flat: &'a Flat<f32>,
+    flat: &'a Flat<R>,
     fetch: Fetch,
     kernel: Kernel,
     stage: Stage,
     screen: Screen,
+    retrace: Option<Retrace>,
     pace: Pace,
     /// Pixel by pixel, where that is counted.
     counted: Vec<Counted>,
@@ -81,21 +84,21 @@ pub struct Prepared<'a> {
     seconds: Option<Seconds>,
 }
 
-impl<'a> Prepared<'a> {
+impl<'a, R: Real> Prepared<'a, R> {
     /// Uploads a flattened scene and compiles the shaders that it calls for.
     ///
     /// # Errors
     ///
     /// [`Error::Limit`] when the scene does not fit the device,
     /// [`Error::Shader`] when the driver refuses a shader.
-    pub fn new(gpu: &'a Gpu, flat: &'a Flat<f32>, portions: Portions) -> Result<Self> {
+    pub fn new(gpu: &'a Gpu, flat: &'a Flat<R>, portions: Portions) -> Result<Self> {
         Self::changed(gpu, flat, portions, &|_| {})
     }
 
     /// As [`Prepared::new`], with shader files that `change` may change first.
     pub(super) fn changed(
         gpu: &'a Gpu,
-        flat: &'a Flat<f32>,
+        flat: &'a Flat<R>,
         portions: Portions,
         change: &dyn Fn(&mut Vec<Source>),
     ) -> Result<Self> {
@@ -105,6 +108,9 @@ impl<'a> Prepared<'a> {
             divide: gpu.arithmetic.divide_file(),
             fetch,
             count: portions.count,
+            formulas: R::FORMULAS,
+            width: R::WIDTH,
+            entry: Entry::Tile,
         };
         let mut files = shader_files(&flat.counts(), device);
         change(&mut files);
@@ -135,10 +141,28 @@ impl<'a> Prepared<'a> {
             seconds: stage.has_clock().then(Seconds::default),
             stage,
             screen,
+            retrace: None,
             pace,
             counted: Vec::new(),
             count: portions.count,
         })
+    }
+
+    /// Has the rays that are in doubt traced again in other numbers: in those of `second`,
+    /// the same scene with the same volumes.
+    ///
+    /// # Errors
+    ///
+    /// As [`Prepared::new`]; [`Error::Limit`] where one dispatch cannot test everything.
+    pub fn with_second<S: Real>(mut self, second: &Flat<S>, portions: Portions) -> Result<Self> {
+        let retrace = Retrace::set_up(self.gpu, second, &self.stage, &self.screen, portions)?;
+        self.retrace = Some(retrace);
+        Ok(self)
+    }
+
+    /// How many rays of the last picture were traced again.
+    pub fn retraced(&self) -> u64 {
+        self.retrace.as_ref().map_or(0, Retrace::rays)
     }
 
     /// Where the scene lies on the device.
@@ -174,6 +198,9 @@ impl<'a> Prepared<'a> {
         keep_rows: &mut dyn FnMut(u32, &[Pixel]),
     ) -> Result<()> {
         self.pace.start_anew();
+        if let Some(retrace) = &mut self.retrace {
+            retrace.start_anew();
+        }
         let pixels = self.flat.size[0] as usize * self.flat.size[1] as usize;
         let mut counted = Vec::with_capacity(if self.count { pixels } else { 0 });
         let mut seconds = Seconds::default();
@@ -194,6 +221,10 @@ impl<'a> Prepared<'a> {
             if !traced.is_shaded {
                 let orders = tile.orders(self.flat, 0..0);
                 seconds.shade += self.dispatch("shade_tile", tile, &orders)?;
+            }
+            if let Some(retrace) = &mut self.retrace {
+                let orders = tile.all_orders(self.flat);
+                seconds.trace += retrace.run(self.gpu, &self.stage, &orders)?;
             }
             let mut checked = Ok(());
             let mut tests = Vec::new();
@@ -285,7 +316,7 @@ struct Traced {
 }
 
 /// Tests of one ray at most; through a tree, as far as the pace is concerned.
-fn tests_per_ray(flat: &Flat<f32>) -> u32 {
+fn tests_per_ray<R>(flat: &Flat<R>) -> u32 {
     if flat.pairs.is_empty() {
         flat.primitives() + flat.volumes.len() as u32
     } else {

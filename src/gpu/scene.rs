@@ -3,7 +3,9 @@
 use bytemuck::{Pod, cast_slice};
 
 use crate::flat::Flat;
+use crate::kernel::real::Real;
 use crate::layout::{QUAD, Tables};
+use crate::tier::parts_of;
 
 /// Four words.
 pub(super) type Quad = [u32; QUAD];
@@ -16,22 +18,22 @@ pub(super) struct PackedScene {
 
 impl PackedScene {
     /// Packs a flattened scene.
-    pub(super) fn of(flat: &Flat<f32>) -> Self {
+    pub(super) fn of<R: Real>(flat: &Flat<R>) -> Self {
         let mut quads = Vec::with_capacity(flat.bytes() as usize / size_of::<Quad>() + 16);
         let tables = Tables {
-            spheres: push_records(&mut quads, &flat.spheres),
+            spheres: push_reals::<R, _>(&mut quads, &flat.spheres),
             sphere_ids: push_words(&mut quads, &flat.sphere_ids),
-            planes: push_records(&mut quads, &flat.planes),
-            disks: push_records(&mut quads, &flat.disks),
+            planes: push_reals::<R, _>(&mut quads, &flat.planes),
+            disks: push_reals::<R, _>(&mut quads, &flat.disks),
             disk_ids: push_words(&mut quads, &flat.disk_ids),
             triangles: push_records(&mut quads, &flat.triangles),
-            vertices: push_vectors(&mut quads, &flat.vertices),
+            vertices: push_vertices(&mut quads, &flat.vertices),
             vertex_normals: push_vectors(&mut quads, &flat.vertex_normals),
             pairs: push_records(&mut quads, &flat.pairs),
             volumes: push_records(&mut quads, &flat.volumes),
             volume_count: flat.volumes.len() as u32,
             tile_words: flat.tile_words,
-            balls: push_records(&mut quads, &flat.balls),
+            balls: push_reals::<R, _>(&mut quads, &flat.balls),
             boxes: push_records(&mut quads, &flat.boxes),
             materials: push_records(&mut quads, &flat.materials),
             material_indices: push_words(&mut quads, &flat.material_indices),
@@ -59,6 +61,34 @@ fn push_records<T: Pod>(quads: &mut Vec<Quad>, records: &[T]) -> u32 {
     let begin = quads.len() as u32;
     quads.extend_from_slice(cast_slice(records));
     begin
+}
+
+/// Adds a table of records of fours of numbers, each four as the quads of its parts, and
+/// tells where it begins.
+fn push_reals<R: Real, T: Pod>(quads: &mut Vec<Quad>, records: &[T]) -> u32 {
+    let begin = quads.len() as u32;
+    let numbers: &[R] = cast_slice(records);
+    for four in numbers.as_chunks::<QUAD>().0 {
+        push_parts(quads, *four);
+    }
+    begin
+}
+
+/// Adds a table of positions, and tells where it begins.
+fn push_vertices<R: Real>(quads: &mut Vec<Quad>, vertices: &[[R; 3]]) -> u32 {
+    let begin = quads.len() as u32;
+    for &[x, y, z] in vertices {
+        push_parts(quads, [x, y, z, R::ZERO]);
+    }
+    begin
+}
+
+/// Adds four numbers as the quads of their parts.
+pub(super) fn push_parts<R: Real>(quads: &mut Vec<Quad>, numbers: [R; QUAD]) {
+    let parts = numbers.map(parts_of);
+    for part in 0..R::WIDTH.parts() {
+        quads.push(parts.map(|parts| parts[part].to_bits()));
+    }
 }
 
 /// Adds a table of words, the last quad filled up, and tells where it begins.

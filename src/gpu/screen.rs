@@ -29,7 +29,7 @@ impl Screen {
     /// # Errors
     ///
     /// [`crate::Error::Limit`] when the device has not that much memory.
-    pub(super) fn set_up(gpu: &Gpu, flat: &Flat<f32>) -> Result<Self> {
+    pub(super) fn set_up<R>(gpu: &Gpu, flat: &Flat<R>) -> Result<Self> {
         let words = flat.tile_words;
         let levels = if words == 0 {
             Vec::new()
@@ -54,12 +54,12 @@ impl Screen {
     /// # Errors
     ///
     /// As [`Gpu::wait`]; [`Error::Interrupted`] when `watch` says so.
-    pub(super) fn divide(
+    pub(super) fn divide<R>(
         &self,
         gpu: &Gpu,
         kernel: &Kernel,
         stage: &Stage,
-        flat: &Flat<f32>,
+        flat: &Flat<R>,
         watch: &dyn Watch,
     ) -> Result<f64> {
         let whole = Tile {

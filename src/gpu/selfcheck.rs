@@ -76,18 +76,9 @@ impl Arithmetic {
     }
 }
 
-const SELFCHECK: Source = Source {
-    name: "selfcheck.wgsl",
-    text: include_str!("../../shaders/selfcheck.wgsl"),
-};
-const SELFCHECK_F64: Source = Source {
-    name: "selfcheck_f64.wgsl",
-    text: include_str!("../../shaders/selfcheck_f64.wgsl"),
-};
-const REAL: Source = Source {
-    name: "real_f32.wgsl",
-    text: include_str!("../../shaders/real_f32.wgsl"),
-};
+const SELFCHECK: Source = Source::new("selfcheck.wgsl", include_str!("../../shaders/selfcheck.wgsl"));
+const SELFCHECK_F64: Source = Source::new("selfcheck_f64.wgsl", include_str!("../../shaders/selfcheck_f64.wgsl"));
+const REAL: Source = Source::new("real", "alias real = f32;");
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]

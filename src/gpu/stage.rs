@@ -8,11 +8,54 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::SceneMemory;
 use super::portions::Portions;
+use super::scene::push_parts;
 use super::screen::Screen;
 use super::timestamps::Clock;
 use crate::error::Result;
 use crate::flat::Flat;
+use crate::kernel::real::Real;
 use crate::layout::{Dispatch, HitRecord, Pixel, Tables};
+use crate::tier::{Formulas, Width};
+
+/// What is the same for all invocations of a picture, by the names of the variables.
+///
+/// # Errors
+///
+/// [`crate::Error::Limit`] when the device has not that much memory.
+pub(super) fn uniforms<R: Real>(
+    gpu: &Gpu,
+    flat: &Flat<R>,
+    tables: &Tables,
+) -> Result<HashMap<&'static str, wgpu::Buffer>> {
+    let mut camera = Vec::new();
+    let numbers: &[R] = bytemuck::cast_slice(std::slice::from_ref(&flat.camera));
+    for four in numbers.as_chunks().0 {
+        push_parts(&mut camera, *four);
+    }
+    let surroundings = bytemuck::bytes_of(&flat.surroundings);
+    Ok(HashMap::from([
+        (
+            "camera",
+            gpu.upload_uniform("camera", bytemuck::cast_slice(&camera))?,
+        ),
+        (
+            "surroundings",
+            gpu.upload_uniform("surroundings", surroundings)?,
+        ),
+        (
+            "tables",
+            gpu.upload_uniform("tables", bytemuck::bytes_of(tables))?,
+        ),
+    ]))
+}
+
+/// Bytes of a `HitRecord` in the shader: t, then three words, aligned as t is.
+fn hit_bytes(width: Width) -> u64 {
+    match width {
+        Width::Single => size_of::<HitRecord>() as u64,
+        Width::Extended | Width::Double => 24,
+    }
+}
 
 /// Pixels of a tile at most: 48 MiB of them.
 const PIXELS_PER_TILE: u32 = 1 << 20;
@@ -24,11 +67,13 @@ pub(super) struct Stage {
     frame: wgpu::BindGroup,
     scene: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
-    pixels: wgpu::Buffer,
+    pub(super) pixels: wgpu::Buffer,
     /// Volumes tested and met, a pixel; empty where they are not counted.
     counts: wgpu::Buffer,
     /// Where pixels are copied to be read; none where they can be read in place.
     staging: Option<wgpu::Buffer>,
+    /// How many rays of the tile are in doubt, then which; empty where none can be.
+    pub(super) doubtful: wgpu::Buffer,
     /// None where the passes are not timed, or cannot be.
     clock: Option<Clock>,
 }
@@ -39,9 +84,9 @@ impl Stage {
     /// # Errors
     ///
     /// [`crate::Error::Limit`] when the device has not that much memory.
-    pub(super) fn set_up(
+    pub(super) fn set_up<R: Real>(
         gpu: &Gpu,
-        flat: &Flat<f32>,
+        flat: &Flat<R>,
         kernel: &Kernel,
         scene: &SceneMemory,
         tables: &Tables,
@@ -70,23 +115,22 @@ impl Stage {
         let count_bytes = counted * size_of::<[u32; 2]>() as u64;
         let counts = gpu.create_buffer("counts", count_bytes, working)?;
         let staging = (!in_place).then(|| gpu.create_buffer("staging", pixel_bytes, staged));
-        let frame = HashMap::from([
+        let bounded = R::FORMULAS == Formulas::Bounded;
+        let list = if bounded { 1 + tile } else { 0 };
+        let list_bytes = list * size_of::<u32>() as u64;
+        let doubtful = gpu.create_buffer("doubtful", list_bytes, readable | BufferUsages::COPY_DST)?;
+        let bounds = if bounded { tile } else { 0 };
+        let mut frame = uniforms(gpu, flat, tables)?;
+        frame.extend([
             ("dispatch", dispatch.clone()),
+            ("doubtful", doubtful.clone()),
             (
-                "camera",
-                gpu.upload_uniform("camera", bytemuck::bytes_of(&flat.camera))?,
-            ),
-            (
-                "surroundings",
-                gpu.upload_uniform("surroundings", bytemuck::bytes_of(&flat.surroundings))?,
-            ),
-            (
-                "tables",
-                gpu.upload_uniform("tables", bytemuck::bytes_of(tables))?,
+                "bounds",
+                gpu.create_buffer("bounds", bounds * size_of::<[f32; 4]>() as u64, working)?,
             ),
             (
                 "hits",
-                gpu.create_buffer("hits", tile * size_of::<HitRecord>() as u64, working)?,
+                gpu.create_buffer("hits", tile * hit_bytes(R::WIDTH), working)?,
             ),
             (
                 "cursors",
@@ -107,10 +151,16 @@ impl Stage {
             scene,
             dispatch,
             pixels,
+            doubtful,
             counts,
             staging: staging.transpose()?,
             clock: if portions.time { Clock::of(gpu)? } else { None },
         })
+    }
+
+    /// The clock by which passes are timed, if they are.
+    pub(super) fn clock(&self) -> Option<&Clock> {
+        self.clock.as_ref()
     }
 
     /// Whether the passes are timed.

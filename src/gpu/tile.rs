@@ -24,7 +24,7 @@ pub(super) struct Tile {
 impl Tile {
     /// The orders for a dispatch over the tile that takes each ray so many steps on
     /// through the list of volumes, of `total`.
-    pub(super) fn list_orders(self, flat: &Flat<f32>, steps: Range<u32>, total: u32) -> Dispatch {
+    pub(super) fn list_orders<R>(self, flat: &Flat<R>, steps: Range<u32>, total: u32) -> Dispatch {
         // The planes, which are in no volume, come first.
         let planes = if steps.start == 0 {
             flat.first_plane()..flat.first_disk()
@@ -39,6 +39,14 @@ impl Tile {
         }
     }
 
+    /// The orders for a dispatch over the tile in which each ray tests all there is to test.
+    pub(super) fn all_orders<R>(self, flat: &Flat<R>) -> Dispatch {
+        Dispatch {
+            steps: flat.primitives() + flat.volumes.len() as u32,
+            ..self.orders(flat, 0..flat.primitives())
+        }
+    }
+
     /// Workgroups of a dispatch: across, down a slice, slices.
     pub(super) fn workgroups(self, orders: &Dispatch) -> [u32; 3] {
         let down = self.rows.div_ceil(WORKGROUP);
@@ -48,7 +56,7 @@ impl Tile {
 
     /// The orders for a dispatch over the tile that concerns `rows`: the rows of all
     /// the kinds' tables, counted through spheres, planes, disks and triangles.
-    pub(super) fn orders(self, flat: &Flat<f32>, rows: Range<u32>) -> Dispatch {
+    pub(super) fn orders<R>(self, flat: &Flat<R>, rows: Range<u32>) -> Dispatch {
         let run = |first: u32, past: u32| Run {
             begin: rows.start.clamp(first, past) - first,
             end: rows.end.clamp(first, past) - first,
@@ -74,10 +82,11 @@ impl Tile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::effects::{DIVIDE_NATIVE, Device, Fetch, select_files};
+    use crate::effects::{DIVIDE_NATIVE, Device, Entry, Fetch, select_files};
     use crate::gpu::program::Program;
     use crate::layout::{Corners, Disk, Plane, Sphere};
     use crate::scene::Scene;
+    use crate::tier::{Formulas, Width};
 
     /// 10 primitives: 7 spheres, a plane, a disk, a triangle.
     fn shapes() -> Flat<f32> {
@@ -139,6 +148,9 @@ mod tests {
     fn the_shader_has_workgroups_of_this_size() {
         let device = Device {
             divide: DIVIDE_NATIVE,
+            formulas: Formulas::Stable,
+            width: Width::Single,
+            entry: Entry::Tile,
             fetch: Fetch::Storage,
             count: false,
         };

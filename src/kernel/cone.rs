@@ -1,7 +1,7 @@
 //! A cone of rays from the camera: those of a tile of the screen.
 
 use super::divide::{divide, square_root};
-use super::real::Real;
+use super::real::{Real, constant};
 use super::vector::{Vec3, cross_product, dot_product, unit_vector, vector_length};
 use crate::layout::Sphere;
 
@@ -23,15 +23,10 @@ pub struct Cone<R> {
     pub cosine: R,
 }
 
-/// A constant in the width.
-fn real<R: Real>(constant: f32) -> R {
-    R::from_f64(f64::from(constant))
-}
-
 /// The larger of the sine so far and that of the direction's angle to the axis.
 fn widened_sine<R: Real>(sine: R, axis: Vec3<R>, direction: Vec3<R>) -> R {
     if dot_product(axis, direction) <= R::ZERO {
-        return real(1.0);
+        return constant(1.0);
     }
     let across = divide(
         vector_length(cross_product(axis, direction)),
@@ -47,8 +42,8 @@ pub fn cone_around<R: Real>(a: Vec3<R>, b: Vec3<R>, c: Vec3<R>, d: Vec3<R>) -> C
     sine = widened_sine(sine, axis, a);
     sine = widened_sine(sine, axis, b);
     sine = widened_sine(sine, axis, c);
-    sine = widened_sine(sine, axis, d) + real(CONE_SLACK);
-    if sine >= real(WIDE) {
+    sine = widened_sine(sine, axis, d) + constant(CONE_SLACK);
+    if sine >= constant(WIDE) {
         return Cone {
             axis,
             sine,
@@ -58,7 +53,7 @@ pub fn cone_around<R: Real>(a: Vec3<R>, b: Vec3<R>, c: Vec3<R>, d: Vec3<R>) -> C
     Cone {
         axis,
         sine,
-        cosine: square_root(real::<R>(1.0) - sine * sine),
+        cosine: square_root(constant::<R>(1.0) - sine * sine),
     }
 }
 
@@ -69,5 +64,5 @@ pub fn cone_meets_ball<R: Real>(cone: &Cone<R>, ball: &Sphere<R>) -> bool {
     let across = vector_length(cross_product(cone.axis, c));
     let distance = across * cone.cosine - along * cone.sine;
     let reach = ((c.x.abs() + c.y.abs()) + c.z.abs()) + ball.radius;
-    cone.sine >= real(WIDE) || distance <= ball.radius + reach * real(CONE_SLACK)
+    cone.sine >= constant(WIDE) || distance <= ball.radius + reach * constant(CONE_SLACK)
 }

@@ -2,30 +2,27 @@
 
 use std::ops::Range;
 
-use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
-use super::disk::intersect_disk;
-use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
+use super::doubt::{keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
+use super::{disk_bounded, disk_meeting};
 use crate::flat::Flat;
+use crate::tier::Formulas;
 
-/// Tests the disk in a row of the table, within its own box.
+/// Tests the disk in a row of the table.
 #[inline]
 pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let disk = &flat.disks[row as usize];
-    let mut t = intersect_disk(probe.ray, disk);
+    let meeting = match R::FORMULAS {
+        Formulas::Bounded => disk_bounded::meet_disk(probe, disk),
+        _ => disk_meeting::meet_disk(probe, disk),
+    };
     count_test(hit);
-    if t < R::MISS {
-        t = clamp_to_box(
-            probe.slabs,
-            ball_box(Vec3::from(disk.center).to_f32(), disk.radius.to_f32()),
-            t,
-        );
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, flat.disk_ids[row as usize], row);
-        }
+    if may_be_closest(*hit, meeting) {
+        keep_nearer(hit, meeting, flat.disk_ids[row as usize], row);
     }
 }
 

@@ -16,6 +16,12 @@ pub struct Hit<R> {
     pub id: u32,
     /// Its row in its kind's table.
     pub row: u32,
+    /// The ray's parameter lies between this and `high`, where formulas bound their error.
+    pub low: R,
+    /// See `low`; `MISS` where nothing is hit for certain.
+    pub high: R,
+    /// The least parameter at which the ray may meet another primitive.
+    pub rival: R,
     /// Shapes tested so far.
     pub tests: u32,
     /// The tile of the screen that the ray goes through.
@@ -24,6 +30,17 @@ pub struct Hit<R> {
     pub bound_tests: u32,
     /// Those of them that the ray met.
     pub bound_hits: u32,
+}
+
+/// Where a ray meets a primitive first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting<R> {
+    /// The ray's parameter there, or `MISS`.
+    pub t: R,
+    /// No sooner than here; `MISS` where it certainly does not.
+    pub low: R,
+    /// No later than here; `MISS` where it may not meet it at all.
+    pub high: R,
 }
 
 /// What shading needs to know of a hit.
@@ -41,6 +58,9 @@ pub fn no_hit<R: Real>() -> Hit<R> {
         t: R::MISS,
         id: NO_HIT,
         row: 0,
+        low: R::MISS,
+        high: R::MISS,
+        rival: R::MISS,
         tests: 0,
         tile: 0,
         bound_tests: 0,
@@ -51,20 +71,4 @@ pub fn no_hit<R: Real>() -> Hit<R> {
 /// Counts a shape that was tested.
 pub fn count_test<R: Real>(hit: &mut Hit<R>) {
     hit.tests += 1;
-}
-
-/// Whether t may be the closest. A tie is for [`keep_nearer`] to settle, by the ids,
-/// which are read only now.
-pub fn may_be_closest<R: Real>(hit: Hit<R>, t: R) -> bool {
-    t <= hit.t && t < R::MISS
-}
-
-/// Keeps a hit if it is nearer. Of two hits at the same t the lower id stays, so the
-/// order of the tests does not matter.
-pub fn keep_nearer<R: Real>(hit: &mut Hit<R>, t: R, id: u32, row: u32) {
-    if t < hit.t || (t == hit.t && id < hit.id) {
-        hit.t = t;
-        hit.id = id;
-        hit.row = row;
-    }
 }

@@ -1,20 +1,25 @@
 //! All planes: which one is nearest, and what is found there.
 
 use super::camera::Ray;
-use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
-use super::plane::intersect_plane;
+use super::doubt::{keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer};
+use super::{plane_bounded, plane_meeting};
 use crate::flat::Flat;
+use crate::tier::Formulas;
 
 /// Tests every plane.
 pub fn closest_plane<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
     for (plane, row) in flat.planes.iter().zip(0..) {
-        let t = intersect_plane(probe.ray, Vec3::from(plane.point), Vec3::from(plane.normal));
+        let meeting = match R::FORMULAS {
+            Formulas::Bounded => plane_bounded::meet_plane(probe, plane),
+            _ => plane_meeting::meet_plane(probe, plane),
+        };
         count_test(hit);
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, flat.first_plane() + row, row);
+        if may_be_closest(*hit, meeting) {
+            keep_nearer(hit, meeting, flat.first_plane() + row, row);
         }
     }
 }

@@ -2,30 +2,27 @@
 
 use std::ops::Range;
 
-use super::aabb::{ball_box, clamp_to_box};
 use super::camera::Ray;
-use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
+use super::doubt::{keep_nearer, may_be_closest};
+use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
-use super::sphere::{intersect_sphere, sphere_normal, sphere_point};
-use super::vector::{Vec3, face_viewer};
+use super::vector::face_viewer;
+use super::{sphere, sphere_bounded, sphere_meeting, sphere_textbook};
 use crate::flat::Flat;
+use crate::tier::Formulas;
 
-/// Tests the sphere in a row of the table, within its own box.
+/// Tests the sphere in a row of the table.
 #[inline]
 pub fn test_sphere<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let sphere = &flat.spheres[row as usize];
-    let mut t = intersect_sphere(probe.ray, sphere);
+    let meeting = match R::FORMULAS {
+        Formulas::Bounded => sphere_bounded::meet_sphere(probe, sphere),
+        _ => sphere_meeting::meet_sphere(probe, sphere),
+    };
     count_test(hit);
-    if t < R::MISS {
-        t = clamp_to_box(
-            probe.slabs,
-            ball_box(Vec3::from(sphere.center).to_f32(), sphere.radius.to_f32()),
-            t,
-        );
-        if may_be_closest(*hit, t) {
-            keep_nearer(hit, t, flat.sphere_ids[row as usize], row);
-        }
+    if may_be_closest(*hit, meeting) {
+        keep_nearer(hit, meeting, flat.sphere_ids[row as usize], row);
     }
 }
 
@@ -42,9 +39,12 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
         return None;
     }
     let sphere = &flat.spheres[hit.row as usize];
-    let normal = sphere_normal(ray, sphere, hit.t);
+    let normal = match R::FORMULAS {
+        Formulas::Textbook => sphere_textbook::sphere_normal(ray, sphere, hit.t),
+        _ => sphere::sphere_normal(ray, sphere, hit.t),
+    };
     Some(Surface {
-        position: sphere_point(sphere, normal).to_f32(),
+        position: sphere::sphere_point(sphere, normal).to_f32(),
         normal: face_viewer(normal, ray.direction).to_f32(),
     })
 }

@@ -2,10 +2,11 @@
 
 use super::aabb::{Interval, clip_to_box};
 use super::count::count_bound;
+use super::doubt::limit_of;
 use super::hit::{GIVEN_UP, Hit};
 use super::planes::closest_plane;
 use super::probe::Probe;
-use super::real::Real;
+use super::real::{Real, constant};
 use super::trace::test_rows;
 use super::vector::{Vec3, vec3};
 use crate::flat::Flat;
@@ -67,7 +68,7 @@ fn test_leaf<R: Real>(flat: &Flat<R>, probe: Probe<R>, leaf: u32, hit: &mut Hit<
 
 /// Whether something in the box may be nearer than the hit, or as near.
 fn may_be_nearer<R: Real>(interval: Interval, hit: Hit<R>) -> bool {
-    interval.enter <= interval.exit && R::from_f64(f64::from(interval.enter)) <= hit.t
+    interval.enter <= interval.exit && constant::<R>(interval.enter) <= limit_of(hit)
 }
 
 /// The last of those that wait, or [`NOWHERE`]. It may be farther than the hit by

@@ -37,7 +37,7 @@ pub struct Edges<R> {
 }
 
 /// v with its components turned so that `axis` comes last.
-fn axis_last<R: Real>(v: Vec3<R>, axis: u32) -> Vec3<R> {
+pub fn axis_last<R: Real>(v: Vec3<R>, axis: u32) -> Vec3<R> {
     if axis == 0 {
         return vec3(v.y, v.z, v.x);
     }

@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
-use super::aabb::{clamp_to_box, triangle_box};
 use super::camera::Ray;
-use super::hit::{Hit, Surface, count_test, keep_nearer, may_be_closest};
+use super::doubt::{keep_nearer, may_be_closest};
+use super::hit::{Hit, Meeting, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
-use super::triangle::{intersect_triangle, triangle_normal, triangle_point, triangle_weights};
-use super::vector::Vec3;
+use super::{triangle, triangle_bounded, triangle_meeting, triangle_textbook};
 use crate::flat::Flat;
 use crate::layout::{Corners, Triangle};
+use crate::tier::Formulas;
 
 /// The triangle with these corners.
 #[inline]
@@ -29,32 +29,23 @@ pub fn triangle_of<R: Real>(flat: &Flat<R>, corners: Corners) -> Triangle<R> {
     }
 }
 
-/// The t at which the ray meets the triangle within its own box, or `MISS`.
+/// Where the ray meets the triangle, by the formulas of the width.
 #[inline]
-pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> R {
-    let t = intersect_triangle(probe.ray, probe.shear, triangle);
-    if t < R::MISS {
-        return clamp_to_box(
-            probe.slabs,
-            triangle_box(
-                Vec3::from(triangle.a).to_f32(),
-                Vec3::from(triangle.b).to_f32(),
-                Vec3::from(triangle.c).to_f32(),
-            ),
-            t,
-        );
+pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meeting<R> {
+    match R::FORMULAS {
+        Formulas::Bounded => triangle_bounded::meet_triangle(probe, triangle),
+        _ => triangle_meeting::meet_triangle(probe, triangle),
     }
-    t
 }
 
 /// Tests the triangle in a row of the table.
 #[inline]
 pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let corners = flat.triangles[row as usize];
-    let t = meet_triangle(probe, &triangle_of(flat, corners));
+    let meeting = meet_triangle(probe, &triangle_of(flat, corners));
     count_test(hit);
-    if may_be_closest(*hit, t) {
-        keep_nearer(hit, t, corners.id, row);
+    if may_be_closest(*hit, meeting) {
+        keep_nearer(hit, meeting, corners.id, row);
     }
 }
 
@@ -77,14 +68,23 @@ pub fn triangle_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Op
     }
     let corners = flat.triangles[hit.row as usize];
     let triangle = triangle_of(flat, corners);
-    let weights = triangle_weights(ray, &triangle);
+    let (weights, normal) = match R::FORMULAS {
+        Formulas::Textbook => (
+            triangle_textbook::triangle_weights(ray, &triangle),
+            triangle_textbook::triangle_normal(&triangle),
+        ),
+        _ => (
+            triangle::triangle_weights(ray, &triangle),
+            triangle::triangle_normal(&triangle),
+        ),
+    };
     Some(Surface {
-        position: triangle_point(&triangle, weights).to_f32(),
+        position: triangle::triangle_point(&triangle, weights).to_f32(),
         normal: shading_normal(
             &flat.vertex_normals,
             corners,
             weights.to_f32(),
-            triangle_normal(&triangle).to_f32(),
+            normal.to_f32(),
             ray.direction.to_f32(),
         ),
     })

@@ -121,6 +121,11 @@ pub fn tame_vector<R: Real>(v: Vec3<R>) -> Vec3<R> {
     )
 }
 
+/// |v.x| + |v.y| + |v.z|: from |v| to 1.74 |v|, without a root.
+pub fn taxicab_length<R: Real>(v: Vec3<R>) -> R {
+    (v.x.abs() + v.y.abs()) + v.z.abs()
+}
+
 /// n, or -n where n points along `direction`, so that it faces who looks.
 pub fn face_viewer<R: Real>(n: Vec3<R>, direction: Vec3<R>) -> Vec3<R> {
     if dot_product(n, direction) > R::ZERO {

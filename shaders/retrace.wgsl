@@ -1,0 +1,25 @@
+// The pixels of a tile whose rays are in doubt, one invocation each.
+
+// How many there are, then which, as the first pass left them.
+@group(0) @binding(10) var<storage, read_write> doubtful: array<u32>;
+
+// Finds the closest hit of each pixel of the list anew, and colours it.
+@compute @workgroup_size(64)
+fn retrace(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(num_workgroups) workgroups: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let place = 64u * (workgroup.y * workgroups.x + workgroup.x) + lane;
+    if place >= doubtful[0] {
+        return;
+    }
+    let index = doubtful[1u + place];
+    let x = index % dispatch.size.x;
+    let y = dispatch.first_row + index / dispatch.size.x;
+    let ray = camera_ray(dispatch.size, x, y);
+    var hit = no_hit();
+    hit.tile = tile_of(dispatch.size, x, y);
+    closest_hit(probe_of(ray), &hit);
+    pixels[index] = shade(ray, hit);
+}

@@ -1,0 +1,49 @@
+// Where a ray meets a sphere, and how far that may be off. The formulas are those of
+// sphere.wgsl; the bounds are derived in docs/numerics.md.
+
+// Where the ray meets the sphere, within bounds.
+fn meet_sphere(probe: Probe, sphere: Sphere) -> Meeting {
+    let f = probe.ray.origin - sphere.center;
+    let d = probe.ray.direction;
+    let a = dot_product(d, d);
+    let b = -dot_product(f, d);
+    let l = f + d * divide(b, a);
+    let discriminant = sphere.radius * sphere.radius - dot_product(l, l);
+
+    // By how much l and the radius may be off, and by that the discriminant.
+    let reach = (taxicab_length(sphere.center) + taxicab_length(probe.ray.origin)) + sphere.radius;
+    let error = reach * ERROR;
+    let slack = (2.0 * sphere.radius + error) * error;
+    if discriminant < -slack {
+        return certain_meeting(MISS);
+    }
+    let b_error = taxicab_length(d) * error;
+    if discriminant <= slack {
+        let half = square_root((2.0 * slack) * a) + b_error;
+        if b + half < 0.0 {
+            return certain_meeting(MISS);
+        }
+        return doubtful_meeting(divide(b - half, a));
+    }
+
+    let root = square_root(a * discriminant);
+    let q = b + copy_sign(root, b);
+    let q_error = b_error + divide(a * slack, root);
+    if q_error * 4.0 > abs(q) {
+        return doubtful_meeting(0.0);
+    }
+    let c = dot_product(f, f) - sphere.radius * sphere.radius;
+    let t0 = divide(c, q);
+    let t1 = divide(q, a);
+    let t0_error = divide(reach * error + abs(t0) * q_error, abs(q)) * 1.5;
+    let t1_error = divide(q_error, a);
+    let swapped = t1 < t0;
+    let near = select(t0, t1, swapped);
+    let near_error = select(t0_error, t1_error, swapped);
+    let far = select(t1, t0, swapped);
+    let far_error = select(t1_error, t0_error, swapped);
+    if near + near_error < 0.0 {
+        return meeting_within(far, far_error + abs(far) * ERROR);
+    }
+    return meeting_within(near, near_error + abs(near) * ERROR);
+}

@@ -1,0 +1,67 @@
+// Where a ray meets a triangle, and how far that may be off. The formulas are those of
+// triangle.wgsl; the bounds are derived in docs/numerics.md.
+
+// The smallest of three numbers.
+fn least_of(a: real, b: real, c: real) -> real {
+    let ab = select(b, a, a < b);
+    return select(c, ab, ab < c);
+}
+
+// The largest of three numbers.
+fn greatest_of(a: real, b: real, c: real) -> real {
+    let ab = select(b, a, a > b);
+    return select(c, ab, ab > c);
+}
+
+// Where the ray meets the triangle, within bounds.
+fn meet_triangle(probe: Probe, triangle: Triangle) -> Meeting {
+    let origin = probe.ray.origin;
+    let shear = probe.shear;
+    let a = axis_last(triangle.a - origin, shear.axis);
+    let b = axis_last(triangle.b - origin, shear.axis);
+    let c = axis_last(triangle.c - origin, shear.axis);
+    let ax = a.x - shear.x * a.z;
+    let ay = a.y - shear.y * a.z;
+    let bx = b.x - shear.x * b.z;
+    let by = b.y - shear.y * b.z;
+    let cx = c.x - shear.x * c.z;
+    let cy = c.y - shear.y * c.z;
+    let u = cx * by - cy * bx;
+    let v = ax * cy - ay * cx;
+    let w = bx * ay - by * ax;
+
+    // By how much the sheared corners may be off, and by that the edge functions.
+    let farthest = greatest_of(taxicab_length(a), taxicab_length(b), taxicab_length(c));
+    let error = (farthest + 2.0 * taxicab_length(origin)) * ERROR;
+    let across = (abs(ax) + abs(ay)) + (abs(bx) + abs(by)) + (abs(cx) + abs(cy));
+    let slack = (across + 2.0 * error) * error;
+    let least = least_of(u, v, w);
+    let greatest = greatest_of(u, v, w);
+    if least < -slack && greatest > slack {
+        return certain_meeting(MISS);
+    }
+
+    // The corners along the ray, in whose range any hit lies.
+    let forward = shear.z > 0.0;
+    let size = abs(shear.z);
+    let near_corner = least_of(a.z, b.z, c.z);
+    let far_corner = greatest_of(a.z, b.z, c.z);
+    let first = select(-far_corner, near_corner, forward);
+    let last = select(-near_corner, far_corner, forward);
+    if last + error < 0.0 {
+        return certain_meeting(MISS);
+    }
+    if least <= slack && greatest >= -slack {
+        return doubtful_meeting(divide(first - error, size));
+    }
+    let determinant = (u + v) + w;
+    let weights = vec3<real>(
+        divide(u, determinant),
+        divide(v, determinant),
+        divide(w, determinant),
+    );
+    let t = divide(dot_product(weights, vec3<real>(a.z, b.z, c.z)), shear.z);
+    let weight_error = divide(slack * 8.0, abs(determinant));
+    let in_range = select(last - first, (last - first) * weight_error, weight_error < 1.0);
+    return meeting_within(t, divide(in_range + error, size));
+}

@@ -1,0 +1,131 @@
+//! The second pass of the adaptive tier: rays in doubt, once more in wider numbers.
+
+use super::device::Gpu;
+use super::kernel::Kernel;
+use super::memory::{SceneMemory, best_fetch};
+use super::portions::Portions;
+use super::program::Program;
+use super::scene::PackedScene;
+use super::screen::Screen;
+use super::stage::{Stage, uniforms};
+use crate::effects::{Device, Entry, shader_files};
+use crate::error::{Error, Result};
+use crate::flat::Flat;
+use crate::kernel::real::Real;
+use crate::layout::Dispatch;
+
+/// Invocations of a workgroup of `retrace`.
+const WORKGROUP: u32 = 64;
+
+/// The scene in wider numbers, and the shader that traces a list of pixels.
+pub(super) struct Retrace {
+    kernel: Kernel,
+    frame: wgpu::BindGroup,
+    scene: wgpu::BindGroup,
+    dispatch: wgpu::Buffer,
+    /// Where the length of the list is copied to be read; none where it is read in place.
+    staging: Option<wgpu::Buffer>,
+    rays: u64,
+}
+
+impl Retrace {
+    /// Uploads the scene; the pixels and the list of those in doubt are the stage's.
+    ///
+    /// # Errors
+    ///
+    /// As of a render; [`Error::Limit`] where one dispatch cannot test everything.
+    pub(super) fn set_up<R: Real>(
+        gpu: &Gpu,
+        flat: &Flat<R>,
+        stage: &Stage,
+        screen: &Screen,
+        portions: Portions,
+    ) -> Result<Self> {
+        let tests = flat.primitives() + flat.volumes.len() as u32;
+        if flat.pairs.is_empty() && tests > portions.primitives_per_dispatch {
+            return Err(Error::Limit(format!(
+                "{tests} tests a ray are more than a dispatch makes: add `--bounds tree`"
+            )));
+        }
+        let scene = PackedScene::of(flat);
+        let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
+        let device = Device {
+            count: false,
+            formulas: R::FORMULAS,
+            width: R::WIDTH,
+            entry: Entry::Doubtful,
+            divide: gpu.arithmetic.divide_file(),
+            fetch,
+        };
+        let kernel = gpu.compile(&Program::build(&shader_files(&flat.counts(), device))?)?;
+        let memory = SceneMemory::upload(gpu, &scene, fetch)?;
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, usage)?;
+        let mut frame = uniforms(gpu, flat, &scene.tables)?;
+        frame.extend([
+            ("dispatch", dispatch.clone()),
+            ("doubtful", stage.doubtful.clone()),
+            ("pixels", stage.pixels.clone()),
+            ("masks", screen.masks.clone()),
+            ("split", screen.split.clone()),
+        ]);
+        let frame = kernel.bind(gpu, 0, |name| {
+            frame.get(name).map(|buffer| buffer.as_entire_binding())
+        })?;
+        let scene = kernel.bind(gpu, 1, |name| (name == "scene").then(|| memory.binding()))?;
+        let staged = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+        let staging = (!gpu.maps_storage()).then(|| gpu.create_buffer("doubts read", 4, staged));
+        Ok(Self {
+            kernel,
+            frame,
+            scene,
+            dispatch,
+            staging: staging.transpose()?,
+            rays: 0,
+        })
+    }
+
+    /// Begins another picture.
+    pub(super) fn start_anew(&mut self) {
+        self.rays = 0;
+    }
+
+    /// How many rays of the picture were traced again.
+    pub(super) fn rays(&self) -> u64 {
+        self.rays
+    }
+
+    /// Traces the rays of the list, and empties it; gives the seconds by the stage's clock.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::wait`].
+    pub(super) fn run(&mut self, gpu: &Gpu, stage: &Stage, orders: &Dispatch) -> Result<f64> {
+        let count = self.read_count(gpu, stage)?;
+        self.rays += u64::from(count);
+        if count == 0 {
+            return Ok(0.0);
+        }
+        gpu.queue
+            .write_buffer(&self.dispatch, 0, bytemuck::bytes_of(orders));
+        let workgroups = [count.div_ceil(WORKGROUP), 1, 1];
+        let groups = [&self.frame, &self.scene];
+        let seconds = self
+            .kernel
+            .run(gpu, "retrace", &groups, workgroups, stage.clock())?;
+        gpu.queue.write_buffer(&stage.doubtful, 0, &[0; 4]);
+        Ok(seconds)
+    }
+
+    fn read_count(&self, gpu: &Gpu, stage: &Stage) -> Result<u32> {
+        if let Some(staging) = &self.staging {
+            gpu.copy(&stage.doubtful, staging, 4);
+        }
+        let readable = self.staging.as_ref().unwrap_or(&stage.doubtful);
+        let mut count = 0;
+        gpu.look_at(readable, 4, &mut |bytes| {
+            count = bytemuck::pod_read_unaligned(bytes);
+        })?;
+        Ok(count)
+    }
+}

@@ -1,0 +1,81 @@
+//! Where a ray meets a triangle, and how far that may be off. The formulas are those of
+//! [`super::triangle`]; the bounds are derived in `docs/numerics.md`.
+
+use super::divide::divide;
+use super::doubt::{ERROR, certain_meeting, doubtful_meeting, meeting_within};
+use super::hit::Meeting;
+use super::probe::Probe;
+use super::real::{Real, constant};
+use super::triangle::axis_last;
+use super::vector::{Vec3, dot_product, taxicab_length, vec3};
+use crate::layout::Triangle;
+
+/// The smallest of three numbers.
+fn least_of<R: Real>(a: R, b: R, c: R) -> R {
+    let ab = if a < b { a } else { b };
+    if ab < c { ab } else { c }
+}
+
+/// The largest of three numbers.
+fn greatest_of<R: Real>(a: R, b: R, c: R) -> R {
+    let ab = if a > b { a } else { b };
+    if ab > c { ab } else { c }
+}
+
+/// Where the ray meets the triangle, within bounds.
+#[inline]
+pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meeting<R> {
+    let origin = probe.ray.origin;
+    let shear = probe.shear;
+    let a = axis_last(Vec3::from(triangle.a) - origin, shear.axis);
+    let b = axis_last(Vec3::from(triangle.b) - origin, shear.axis);
+    let c = axis_last(Vec3::from(triangle.c) - origin, shear.axis);
+    let ax = a.x - shear.x * a.z;
+    let ay = a.y - shear.y * a.z;
+    let bx = b.x - shear.x * b.z;
+    let by = b.y - shear.y * b.z;
+    let cx = c.x - shear.x * c.z;
+    let cy = c.y - shear.y * c.z;
+    let u = cx * by - cy * bx;
+    let v = ax * cy - ay * cx;
+    let w = bx * ay - by * ax;
+
+    // By how much the sheared corners may be off, and by that the edge functions.
+    let farthest = greatest_of(taxicab_length(a), taxicab_length(b), taxicab_length(c));
+    let error = (farthest + R::TWO * taxicab_length(origin)) * constant(ERROR);
+    let across = (ax.abs() + ay.abs()) + (bx.abs() + by.abs()) + (cx.abs() + cy.abs());
+    let slack = (across + R::TWO * error) * error;
+    let least = least_of(u, v, w);
+    let greatest = greatest_of(u, v, w);
+    if least < -slack && greatest > slack {
+        return certain_meeting(R::MISS);
+    }
+
+    // The corners along the ray, in whose range any hit lies.
+    let forward = shear.z > R::ZERO;
+    let size = shear.z.abs();
+    let near_corner = least_of(a.z, b.z, c.z);
+    let far_corner = greatest_of(a.z, b.z, c.z);
+    let first = if forward { near_corner } else { -far_corner };
+    let last = if forward { far_corner } else { -near_corner };
+    if last + error < R::ZERO {
+        return certain_meeting(R::MISS);
+    }
+    if least <= slack && greatest >= -slack {
+        return doubtful_meeting(divide(first - error, size));
+    }
+    let determinant = (u + v) + w;
+    let weights = vec3(
+        divide(u, determinant),
+        divide(v, determinant),
+        divide(w, determinant),
+    );
+    let t = divide(dot_product(weights, vec3(a.z, b.z, c.z)), shear.z);
+    let weight_error = divide(slack * constant(8.0), determinant.abs());
+    let in_range = if weight_error < constant(1.0) {
+        (last - first) * weight_error
+    } else {
+        last - first
+    };
+    meeting_within(t, divide(in_range + error, size))
+}
