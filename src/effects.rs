@@ -280,7 +280,11 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Sou
         Width::Extended | Width::Double => DIVIDE_NATIVE,
     };
     let mut files = vec![real_file(device.width)];
-    files.extend(ALWAYS.iter().map(|file| by_formulas(*file, device.formulas)));
+    files.extend(
+        ALWAYS
+            .iter()
+            .map(|file| by_formulas(*file, device.formulas)),
+    );
     files.extend([divide, device.divide.in_f32()]);
     files.extend([device.fetch.file(), device.entry.file()]);
     files.push(if device.count {

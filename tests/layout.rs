@@ -273,7 +273,10 @@ fn every_combination_of_effects_compiles() {
 fn errors_name_the_shader_file() {
     use rayproof::gpu::program::Source;
     let mut files = select_files(|_| true, NATIVE);
-    files.push(Source::new("broken.wgsl", "fn fine() {}\n\nfn broken() { return 1.0; }\n"));
+    files.push(Source::new(
+        "broken.wgsl",
+        "fn fine() {}\n\nfn broken() { return 1.0; }\n",
+    ));
     let error = Program::build(&files).unwrap_err().to_string();
     assert!(error.contains("shaders/broken.wgsl:3"), "{error}");
     files.push(Source::new("worse.wgsl", "fn worse( {\n"));

@@ -124,7 +124,8 @@ fn grow_tree<R: Real>(flat: &mut Flat<R>) {
 
 /// The own box of the primitive in a row of its kind's table.
 pub fn box_of_row<R: Real>(flat: &Flat<R>, kind: Kind, row: usize) -> Aabb {
-    let ball = |center: [R; 3], radius: R| ball_box::<R>(Vec3::from(center).to_f32(), radius.to_f32());
+    let ball =
+        |center: [R; 3], radius: R| ball_box::<R>(Vec3::from(center).to_f32(), radius.to_f32());
     match kind {
         Kind::Sphere => ball(flat.spheres[row].center, flat.spheres[row].radius),
         Kind::Disk => ball(flat.disks[row].center, flat.disks[row].radius),

@@ -61,16 +61,16 @@ mod tests {
     #[test]
     fn every_float_operation_is_decorated_once() {
         let exact = Program::build(&[Source::new("test", SHADER)])
-        .unwrap()
-        .spirv;
+            .unwrap()
+            .spirv;
         assert_eq!(decorated(&exact), 4, "product, sum, negation, quotient");
     }
 
     #[test]
     fn a_module_without_the_pass_has_no_decoration() {
         let exact = Program::build(&[Source::new("test", SHADER)])
-        .unwrap()
-        .spirv;
+            .unwrap()
+            .spirv;
         let plain: Vec<u32> = exact[..HEADER]
             .iter()
             .chain(

@@ -25,7 +25,10 @@ const READS: u32 = 64;
 /// Runs of which the fastest counts; the first compiles.
 const RUNS: usize = 4;
 
-const PROBE: Source = Source::new("fetch_probe.wgsl", include_str!("../../shaders/fetch_probe.wgsl"));
+const PROBE: Source = Source::new(
+    "fetch_probe.wgsl",
+    include_str!("../../shaders/fetch_probe.wgsl"),
+);
 
 /// How fast one way is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -67,8 +67,7 @@ mod tests {
 
     #[test]
     fn arrays_are_left_unset_and_numbers_are_not() {
-        let program = Program::build(&[Source::new("test", SHADER)])
-        .unwrap();
+        let program = Program::build(&[Source::new("test", SHADER)]).unwrap();
         let mut found = variables(&program.spirv);
         found.sort_unstable();
         assert_eq!(found, [BARE, BARE + 1]);

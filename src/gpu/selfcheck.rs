@@ -76,8 +76,14 @@ impl Arithmetic {
     }
 }
 
-const SELFCHECK: Source = Source::new("selfcheck.wgsl", include_str!("../../shaders/selfcheck.wgsl"));
-const SELFCHECK_F64: Source = Source::new("selfcheck_f64.wgsl", include_str!("../../shaders/selfcheck_f64.wgsl"));
+const SELFCHECK: Source = Source::new(
+    "selfcheck.wgsl",
+    include_str!("../../shaders/selfcheck.wgsl"),
+);
+const SELFCHECK_F64: Source = Source::new(
+    "selfcheck_f64.wgsl",
+    include_str!("../../shaders/selfcheck_f64.wgsl"),
+);
 const REAL: Source = Source::new("real", "alias real = f32;");
 
 #[repr(C)]

@@ -133,7 +133,8 @@ mod tests {
 
     #[test]
     fn a_file_is_taken_for_f32_too() {
-        let text = "const K: f32 = 1;\nfn half(a: real) -> real {\n    return a * K + halfway(a);\n}";
+        let text =
+            "const K: f32 = 1;\nfn half(a: real) -> real {\n    return a * K + halfway(a);\n}";
         let single = "const K_f32: f32 = 1;\nfn half_f32(a: f32) -> f32 {\n    return a * K_f32 + halfway(a);\n}";
         let file = Source::new("half.wgsl", text);
         assert_eq!(file.in_f32().joined_text(), single);

@@ -118,7 +118,8 @@ impl Stage {
         let bounded = R::FORMULAS == Formulas::Bounded;
         let list = if bounded { 1 + tile } else { 0 };
         let list_bytes = list * size_of::<u32>() as u64;
-        let doubtful = gpu.create_buffer("doubtful", list_bytes, readable | BufferUsages::COPY_DST)?;
+        let doubtful =
+            gpu.create_buffer("doubtful", list_bytes, readable | BufferUsages::COPY_DST)?;
         let bounds = if bounded { tile } else { 0 };
         let mut frame = uniforms(gpu, flat, tables)?;
         frame.extend([

@@ -31,9 +31,5 @@ pub fn bound_crossing<R: Real>(ray: Ray<R>, point: Vec3<R>, normal: Vec3<R>) -> 
 
 /// Where the ray meets the plane, within bounds.
 pub fn meet_plane<R: Real>(probe: Probe<R>, plane: &Plane<R>) -> Meeting<R> {
-    bound_crossing(
-        probe.ray,
-        Vec3::from(plane.point),
-        Vec3::from(plane.normal),
-    )
+    bound_crossing(probe.ray, Vec3::from(plane.point), Vec3::from(plane.normal))
 }

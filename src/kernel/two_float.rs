@@ -12,6 +12,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use bytemuck::{Pod, Zeroable};
 
 use super::real::Real;
+use crate::tier::{Formulas, Width};
 
 /// The number high + low, where high is that sum rounded to f32.
 #[repr(C)]
@@ -201,6 +202,8 @@ impl PartialOrd for TwoFloat {
 }
 
 impl Real for TwoFloat {
+    const FORMULAS: Formulas = Formulas::Stable;
+    const WIDTH: Width = Width::Extended;
     const ZERO: Self = Self {
         high: 0.0,
         low: 0.0,
@@ -228,6 +231,9 @@ impl Real for TwoFloat {
     }
     fn to_f32(self) -> f32 {
         self.high
+    }
+    fn to_f64(self) -> f64 {
+        f64::from(self.high) + f64::from(self.low)
     }
     /// Not correctly rounded, see [`square_root_two`].
     fn sqrt(self) -> Self {

@@ -2,17 +2,19 @@
 
 use super::tests::{PRELUDE, RAYS, TWO_FLOAT, UNIFORMS, calculate, differences, exact, open};
 use super::tests::{program, random};
+use crate::effects::{DIVIDE_NATIVE, Device, Entry, Fetch, select_files};
 use crate::gpu::program::{Program, Source};
 use crate::gpu::samples::hash;
 use crate::kernel::real::Real;
 use crate::kernel::two_float::TwoFloat;
+use crate::tier::{Formulas, Width};
 
 /// Results of an invocation.
 const RESULTS: usize = 35;
 
-const OPERATIONS: Source = Source {
-    name: "operations",
-    text: "
+const OPERATIONS: Source = Source::new(
+    "operations",
+    "
         const TENTH: real = 0.1;
         const STEPS: vec3<real> = vec3<real>(0.5, TENTH, -3.0);
         struct Held { values: array<real, 3>, last: vec4<real> }
@@ -71,7 +73,7 @@ const OPERATIONS: Source = Source {
             keep_vector(out + 29u, max(steps, vec3<real>()));
             keep_vector(out + 32u, uniforms.right * uniforms.x + uniforms.up);
         }",
-};
+);
 
 /// The same in Rust.
 fn on_cpu(a: TwoFloat, b: TwoFloat, at: u32) -> Vec<TwoFloat> {
@@ -188,10 +190,7 @@ fn refusal(function: &str) -> Option<String> {
         "{function}
         @compute @workgroup_size(64) fn calculate() {{ keep(0u, tried(number_at(0u))); }}"
     );
-    let tried = Source {
-        name: "tried",
-        text: text.leak(),
-    };
+    let tried = Source::new("tried", text.leak());
     let error = Program::build_split(&[PRELUDE, TWO_FLOAT, tried]).err();
     error.map(|error| error.to_string())
 }
@@ -221,10 +220,33 @@ fn what_cannot_be_rewritten_is_refused() {
     assert_eq!(accepted, None, "the control");
 
     // Without the functions that stand for operations.
-    let entry = Source {
-        name: "entry",
-        text: "@compute @workgroup_size(64) fn calculate() { keep(0u, number_at(0u) * 2.0); }",
-    };
+    let entry = Source::new(
+        "entry",
+        "@compute @workgroup_size(64) fn calculate() { keep(0u, number_at(0u) * 2.0); }",
+    );
     let error = Program::build_split(&[PRELUDE, entry]).unwrap_err();
     assert!(error.to_string().contains("no function"), "{error}");
+}
+
+/// All effects at once; the screen's list of doubts counts with an atomic.
+#[test]
+fn every_effect_can_be_rewritten() {
+    for entry in [Entry::Tile, Entry::Doubtful] {
+        for fetch in Fetch::ALL {
+            let device = Device {
+                count: true,
+                formulas: Formulas::Stable,
+                width: Width::Extended,
+                entry,
+                divide: DIVIDE_NATIVE,
+                fetch,
+            };
+            let mut files = select_files(|_| true, device);
+            files.push(TWO_FLOAT);
+            Program::build(&files).expect("f64");
+            Program::build_split(&files).expect("two f32");
+            files.pop();
+            assert!(Program::build_split(&files).is_err(), "the control");
+        }
+    }
 }

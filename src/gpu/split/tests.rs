@@ -18,10 +18,7 @@ use crate::layout::{Sphere, Triangle};
 
 macro_rules! shader {
     ($name:literal) => {
-        Source {
-            name: $name,
-            text: include_str!(concat!("../../../shaders/", $name)),
-        }
+        Source::new($name, include_str!(concat!("../../../shaders/", $name)))
     };
 }
 
@@ -35,9 +32,9 @@ const FILES: [Source; 5] = [
     PRELUDE,
 ];
 
-pub(super) const PRELUDE: Source = Source {
-    name: "prelude",
-    text: "
+pub(super) const PRELUDE: Source = Source::new(
+    "prelude",
+    "
         alias real = f64;
         const MISS: real = 1.7976931348623157e308;
         struct Ray { origin: vec3<real>, direction: vec3<real> }
@@ -64,12 +61,12 @@ pub(super) const PRELUDE: Source = Source {
         fn keep_vector(index: u32, value: vec3<real>) {
             for (var i = 0u; i < 3u; i++) { keep(index + i, value[i]); }
         }",
-};
+);
 
 /// Ray, sphere and triangle; what is found there.
-const TRACE: Source = Source {
-    name: "trace",
-    text: "
+const TRACE: Source = Source::new(
+    "trace",
+    "
         @compute @workgroup_size(64)
         fn calculate(@builtin(global_invocation_id) at: vec3<u32>) {
             let first = 19u * at.x;
@@ -88,7 +85,7 @@ const TRACE: Source = Source {
             keep_vector(out + 8u, triangle_weights(ray, triangle));
             keep_vector(out + 11u, triangle_normal(triangle));
         }",
-};
+);
 
 pub(super) fn open() -> Gpu {
     Gpu::open(None).unwrap_or_else(|error| panic!("{error}"))
