@@ -1,6 +1,12 @@
 // Where a ray meets a sphere, and how far that may be off. The formulas are those of
 // sphere.wgsl; the bounds are derived in docs/numerics.md.
 
+// The error of |f|^2, in parts of it: three roundings, and two of the centre's.
+const SQUARE_ERROR: f32 = 5.25 / 16777216.0;
+
+// The error of r^2, in parts of it: one rounding, and two of the radius's.
+const RADIUS_ERROR: f32 = 3.25 / 16777216.0;
+
 // Where the ray meets the sphere, within bounds.
 fn meet_sphere(probe: Probe, sphere: Sphere) -> Meeting {
     let f = probe.ray.origin - sphere.center;
@@ -32,10 +38,14 @@ fn meet_sphere(probe: Probe, sphere: Sphere) -> Meeting {
     if q_error * 4.0 > abs(q) {
         return doubtful_meeting(0.0);
     }
-    let c = dot_product(f, f) - sphere.radius * sphere.radius;
+    let square = dot_product(f, f);
+    let radius_square = sphere.radius * sphere.radius;
+    let c = square - radius_square;
+    let c_error = (square * SQUARE_ERROR + radius_square * RADIUS_ERROR)
+        + (taxicab_length(probe.ray.origin) * taxicab_length(f)) * ERROR;
     let t0 = divide(c, q);
     let t1 = divide(q, a);
-    let t0_error = divide(reach * error + abs(t0) * q_error, abs(q)) * 1.5;
+    let t0_error = divide(c_error + abs(t0) * q_error, abs(q) - q_error);
     let t1_error = divide(q_error, a);
     let swapped = t1 < t0;
     let near = select(t0, t1, swapped);

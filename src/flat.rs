@@ -1,5 +1,7 @@
 //! The scene as plain arrays, which both tracers read.
 
+mod convert;
+
 use std::ops::Range;
 use std::sync::OnceLock;
 

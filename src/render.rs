@@ -17,6 +17,8 @@ use crate::gpu::render::Portions;
 use crate::kernel::real::Real;
 use crate::layout::Pixel;
 use crate::scene::Scene;
+pub use crate::tier::Accuracy;
+use crate::tier::{Bounded, Double, Extended, Robust, Textbook};
 use crate::watch::Watch;
 use crate::{cpu, gpu};
 
@@ -52,6 +54,14 @@ impl Backend {
         }
     }
 
+    /// Why it does not trace with this accuracy, if it does not.
+    pub fn lacks(&self, accuracy: Accuracy) -> Option<String> {
+        match self {
+            Self::Cpu(_) => None,
+            Self::Gpu(gpu) => gpu.lacks(accuracy),
+        }
+    }
+
     /// For people: which CPU path or which adapter.
     pub fn describe(&self) -> String {
         match self {
@@ -59,17 +69,6 @@ impl Backend {
             Self::Gpu(gpu) => format!("gpu ({})", gpu.adapter.name),
         }
     }
-}
-
-/// Formulas and width of the geometry.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Accuracy {
-    /// The stable formulas in f32.
-    #[default]
-    Robust,
-    /// The stable formulas in f64, scene and rays unrounded; on the CPU.
-    Double,
 }
 
 /// How to render.
@@ -130,6 +129,9 @@ pub struct Stats {
     pub build_ms: f64,
     /// Rays traced.
     pub rays: u64,
+    /// Those of them that were in doubt and traced again, in the adaptive tier.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub retraced: Option<u64>,
     /// Million rays a second while tracing.
     pub mrays_per_s: f64,
     /// Bytes of the scene's arrays, as uploaded.
@@ -169,28 +171,53 @@ pub fn render(
 ) -> Result<Rendering> {
     scene.validate()?;
     let settings = settings.into();
-    match (backend, settings.accuracy) {
-        (Backend::Cpu(threads), Accuracy::Robust) => {
-            run::<f32>(scene, backend, settings, &mut |flat, keep| {
-                cpu::render(flat, *threads, watch, keep)
-            })
-        }
-        (Backend::Cpu(threads), Accuracy::Double) => {
-            run::<f64>(scene, backend, settings, &mut |flat, keep| {
-                cpu::render(flat, *threads, watch, keep)
-            })
-        }
-        (Backend::Gpu(gpu), Accuracy::Robust) => {
-            run::<f32>(scene, backend, settings, &mut |flat, keep| {
-                trace_on_gpu(gpu, flat, watch, keep)
-            })
-        }
-        (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
+    if let Some(reason) = backend.lacks(settings.accuracy) {
+        return Err(Error::Usage(reason));
+    }
+    match settings.accuracy {
+        Accuracy::Textbook => plainly::<Textbook>(scene, backend, settings, watch),
+        Accuracy::Robust => plainly::<Robust>(scene, backend, settings, watch),
+        Accuracy::Extended => plainly::<Extended>(scene, backend, settings, watch),
+        Accuracy::Double => plainly::<Double>(scene, backend, settings, watch),
+        Accuracy::Adaptive => run::<Double>(scene, backend, settings, &mut |flat, keep| {
+            let first = flat.converted::<Bounded>();
+            match backend {
+                Backend::Cpu(threads) => {
+                    let prepared = cpu::Prepared::new(&first, *threads)?.with_second(flat);
+                    prepared.run(watch, keep)?;
+                    Ok(prepared.retraced())
+                }
+                Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
+                    let mut prepared = gpu::render::adaptive(gpu, &first, flat)?;
+                    prepared.run(watch, keep)?;
+                    Ok(prepared.retraced())
+                }),
+            }
+        }),
     }
 }
 
+/// Renders in numbers of one kind.
+fn plainly<R: Real>(
+    scene: &Scene,
+    backend: &Backend,
+    settings: Settings,
+    watch: &dyn Watch,
+) -> Result<Rendering> {
+    run::<R>(scene, backend, settings, &mut |flat, keep| {
+        match backend {
+            Backend::Cpu(threads) => cpu::render(flat, *threads, watch, keep)?,
+            Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
+                gpu::render::render(gpu, flat, Portions::default(), watch, keep)
+            })?,
+        }
+        Ok(0)
+    })
+}
+
 /// Counts what each ray of a picture tests, in a pass of its own: with a shader that
-/// counts, or on the CPU with the arithmetic of the shader.
+/// counts, or on the CPU with the arithmetic of the shader. Of the adaptive tier, the
+/// first pass is counted.
 ///
 /// # Errors
 ///
@@ -203,17 +230,28 @@ pub fn count(
 ) -> Result<CountMap> {
     scene.validate()?;
     let settings = settings.into();
-    match (backend, settings.accuracy) {
-        (Backend::Cpu(threads), Accuracy::Robust) => {
-            cpu::count(&bounded::<f32>(scene, settings), *threads, watch)
-        }
-        (Backend::Cpu(threads), Accuracy::Double) => {
-            cpu::count(&bounded::<f64>(scene, settings), *threads, watch)
-        }
-        (Backend::Gpu(gpu), Accuracy::Robust) => {
-            gpu::render::count(gpu, &bounded::<f32>(scene, settings), watch)
-        }
-        (Backend::Gpu(_), Accuracy::Double) => Err(no_double()),
+    if let Some(reason) = backend.lacks(settings.accuracy) {
+        return Err(Error::Usage(reason));
+    }
+    match settings.accuracy {
+        Accuracy::Textbook => count_in::<Textbook>(scene, backend, settings, watch),
+        Accuracy::Robust => count_in::<Robust>(scene, backend, settings, watch),
+        Accuracy::Extended => count_in::<Extended>(scene, backend, settings, watch),
+        Accuracy::Double => count_in::<Double>(scene, backend, settings, watch),
+        Accuracy::Adaptive => count_in::<Bounded>(scene, backend, settings, watch),
+    }
+}
+
+fn count_in<R: Real>(
+    scene: &Scene,
+    backend: &Backend,
+    settings: Settings,
+    watch: &dyn Watch,
+) -> Result<CountMap> {
+    let flat = bounded::<R>(scene, settings);
+    match backend {
+        Backend::Cpu(threads) => cpu::count(&flat, *threads, watch),
+        Backend::Gpu(gpu) => gpu::render::count(gpu, &flat, watch),
     }
 }
 
@@ -234,15 +272,11 @@ fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {
     flat
 }
 
-fn no_double() -> Error {
-    Error::Usage("the accuracy `double` is computed on the CPU: add `--backend cpu`".into())
-}
-
 /// Takes rows of pixels, with the number of their first row.
 type KeepRows<'a> = dyn FnMut(u32, &[Pixel]) + 'a;
 
-/// Traces a flattened scene.
-type Trace<'a, R> = dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<()> + 'a;
+/// Traces a flattened scene, and tells how many rays it traced a second time.
+type Trace<'a, R> = dyn FnMut(&Flat<R>, &mut KeepRows<'_>) -> Result<u64> + 'a;
 
 /// Flattens, traces and collects, in one width.
 fn run<R: Real>(
@@ -259,11 +293,12 @@ fn run<R: Real>(
     let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
-    if !trace_and_keep(&flat, trace, &mut frame)? {
+    let mut retraced = trace_and_keep(&flat, trace, &mut frame)?;
+    if retraced.is_none() {
         tracing::warn!("some rays meet too many volumes: tracing without volumes");
         bounds = Bounds::None;
         bounds::bound(&mut flat, bounds);
-        trace_and_keep(&flat, trace, &mut frame)?;
+        retraced = trace_and_keep(&flat, trace, &mut frame)?;
     }
     let trace_ms = milliseconds(trace_started);
     let rays = u64::from(frame.width) * u64::from(frame.height);
@@ -286,6 +321,7 @@ fn run<R: Real>(
         trace_ms,
         build_ms,
         rays,
+        retraced: retraced.filter(|_| settings.accuracy == Accuracy::Adaptive),
         mrays_per_s: rays as f64 / trace_ms.max(1e-6) / 1e3,
         device_bytes: flat.bytes(),
         counters: None,
@@ -293,33 +329,28 @@ fn run<R: Real>(
     Ok(Rendering { frame, stats })
 }
 
-/// Traces all rays; `false` if some were given up on their way through a tree.
+/// Traces all rays, and tells how many of them twice; none if some were given up on their
+/// way through a tree.
 fn trace_and_keep<R: Real>(
     flat: &Flat<R>,
     trace: &mut Trace<'_, R>,
     frame: &mut Frame,
-) -> Result<bool> {
+) -> Result<Option<u64>> {
     let mut complete = true;
-    trace(flat, &mut |row, pixels| {
+    let retraced = trace(flat, &mut |row, pixels| {
         complete &= frame.keep_rows(row, pixels);
     })?;
-    Ok(complete)
+    Ok(complete.then_some(retraced))
 }
 
 /// Traces on the GPU; a device that is lost on the way is opened anew, once.
-fn trace_on_gpu(
-    gpu: &Gpu,
-    flat: &Flat<f32>,
-    watch: &dyn Watch,
-    keep: &mut KeepRows<'_>,
-) -> Result<()> {
-    let outcome = gpu::render::render(gpu, flat, Portions::default(), watch, keep);
+fn on_gpu<T>(gpu: &Gpu, trace: &mut dyn FnMut(&Gpu) -> Result<T>) -> Result<T> {
+    let outcome = trace(gpu);
     let Err(Error::DeviceLost(reason)) = outcome else {
         return outcome;
     };
     tracing::warn!("the device was lost ({reason}); opening it anew");
-    let gpu = gpu.reopen()?;
-    gpu::render::render(&gpu, flat, Portions::default(), watch, keep)
+    trace(&gpu.reopen()?)
 }
 
 fn milliseconds(since: Instant) -> f64 {

@@ -149,5 +149,7 @@ single_numbers! {
 
 /// A number of [`Accuracy::Robust`].
 pub type Robust = f32;
+/// A number of [`Accuracy::Extended`].
+pub type Extended = f32; // two_float to come
 /// A number of [`Accuracy::Double`].
 pub type Double = f64;

@@ -86,10 +86,16 @@ pub(super) enum BoundsChoice {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum AccuracyChoice {
+    /// The formulas of a textbook, in f32
+    Textbook,
     /// Stable formulas in f32
     Robust,
-    /// Stable formulas in f64, scene and rays unrounded; on the CPU
+    /// Stable formulas in two f32
+    Extended,
+    /// Stable formulas in f64, scene and rays unrounded
     Double,
+    /// Stable formulas in f32, and rays in doubt once more in f64
+    Adaptive,
 }
 
 impl TracingFlags {
@@ -105,14 +111,15 @@ impl TracingFlags {
                 "`--adapter` names a GPU, `--backend cpu` needs none".into(),
             )),
             BackendChoice::Cpu => Ok(Backend::Cpu(threads)),
-            BackendChoice::Gpu if self.accuracy() == Accuracy::Double => Err(Error::Usage(
-                "the accuracy `double` is computed on the CPU: add `--backend cpu`".into(),
-            )),
             BackendChoice::Gpu => Ok(Backend::Gpu(Box::new(self.place.open_gpu()?))),
-            // What is only computed on the CPU is computed there.
-            BackendChoice::Auto if self.accuracy() == Accuracy::Double => Ok(Backend::Cpu(threads)),
             BackendChoice::Auto => match self.place.open_gpu() {
-                Ok(gpu) => Ok(Backend::Gpu(Box::new(gpu))),
+                Ok(gpu) => match gpu.lacks(self.accuracy()) {
+                    None => Ok(Backend::Gpu(Box::new(gpu))),
+                    Some(reason) => {
+                        tracing::warn!("{reason}; rendering on the CPU");
+                        Ok(Backend::Cpu(threads))
+                    }
+                },
                 Err(Error::NoAdapter(reason)) if self.place.adapter.is_none() => {
                     tracing::warn!("no GPU adapter: {reason}; rendering on the CPU");
                     Ok(Backend::Cpu(threads))
@@ -137,8 +144,11 @@ impl TracingFlags {
     /// The accuracy asked for.
     pub(super) fn accuracy(&self) -> Accuracy {
         match self.accuracy {
+            AccuracyChoice::Textbook => Accuracy::Textbook,
             AccuracyChoice::Robust => Accuracy::Robust,
+            AccuracyChoice::Extended => Accuracy::Extended,
             AccuracyChoice::Double => Accuracy::Double,
+            AccuracyChoice::Adaptive => Accuracy::Adaptive,
         }
     }
 }

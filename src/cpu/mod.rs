@@ -16,8 +16,9 @@ use self::wide::Wide;
 use crate::count::{CountMap, Counted};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
-use crate::kernel::camera::camera_ray;
-use crate::kernel::hit::no_hit;
+use crate::kernel::camera::{Ray, camera_ray};
+use crate::kernel::doubt::is_in_doubt;
+use crate::kernel::hit::{Hit, no_hit};
 use crate::kernel::probe::probe_of;
 use crate::kernel::real::Real;
 use crate::kernel::screen::tile_of;
@@ -109,6 +110,7 @@ fn pool_of(threads: Option<NonZeroUsize>) -> Result<ThreadPool> {
 pub struct Prepared<'a, R> {
     flat: &'a Flat<R>,
     wide: Option<Wide<R>>,
+    second: Option<Second<'a>>,
     pool: ThreadPool,
     build_time: Duration,
 }
@@ -132,9 +134,30 @@ impl<'a, R: Real> Prepared<'a, R> {
         Ok(Self {
             flat,
             wide,
+            second: None,
             pool,
             build_time: started.elapsed(),
         })
+    }
+
+    /// Has the rays that are in doubt traced again in f64: `second` is the same scene with
+    /// the same volumes.
+    pub fn with_second(mut self, second: &'a Flat<f64>) -> Self {
+        let started = Instant::now();
+        let pool = &self.pool;
+        self.second = Some(Second {
+            flat: second,
+            wide: (!second.pairs.is_empty()).then(|| pool.install(|| Wide::new(second))),
+            rays: AtomicU64::new(0),
+        });
+        self.build_time += started.elapsed();
+        self
+    }
+
+    /// How many rays of the last picture were traced again.
+    pub fn retraced(&self) -> u64 {
+        let second = self.second.as_ref();
+        second.map_or(0, |second| second.rays.load(Ordering::Relaxed))
     }
 
     /// How long it took to widen the scene's tree, or to sort volumes to tiles.
@@ -158,7 +181,17 @@ impl<'a, R: Real> Prepared<'a, R> {
         let band = ROWS_PER_THREAD * self.threads() as u32;
         let pixels_done = AtomicU64::new(0);
         let total = u64::from(width) * u64::from(height);
-        let search = || Search::new(self.flat, self.wide.as_ref());
+        let search = || {
+            let second = self.second.as_ref();
+            let first = Search::new(self.flat, self.wide.as_ref());
+            (
+                first,
+                second.map(|second| Search::new(second.flat, second.wide.as_ref())),
+            )
+        };
+        if let Some(second) = &self.second {
+            second.rays.store(0, Ordering::Relaxed);
+        }
         let mut first_row = 0;
         while first_row < height {
             let rows = band.min(height - first_row);
@@ -167,13 +200,13 @@ impl<'a, R: Real> Prepared<'a, R> {
             self.pool.install(|| {
                 patches
                     .par_iter_mut()
-                    .try_for_each_init(search, |search, patch| {
+                    .try_for_each_init(search, |(search, second), patch| {
                         for (y, row) in (first_row + patch.y..).zip(&mut patch.rows) {
                             if watch.cancelled() {
                                 return Err(Error::Interrupted);
                             }
                             for (x, pixel) in (patch.x..).zip(row.iter_mut()) {
-                                *pixel = self.trace_pixel(search, x, y);
+                                *pixel = self.trace_pixel(search, second, x, y);
                             }
                             let count = row.len() as u64;
                             let done = pixels_done.fetch_add(count, Ordering::Relaxed) + count;
@@ -188,13 +221,44 @@ impl<'a, R: Real> Prepared<'a, R> {
         Ok(())
     }
 
-    fn trace_pixel(&self, search: &mut Search<'_, R>, x: u32, y: u32) -> Pixel {
-        let ray = camera_ray(&self.flat.camera, self.flat.size, x, y);
-        let mut hit = no_hit();
-        hit.tile = tile_of(self.flat.size, x, y);
-        search.closest(probe_of(ray), &mut hit);
+    fn trace_pixel(
+        &self,
+        search: &mut Search<'_, R>,
+        second: &mut Option<Search<'_, f64>>,
+        x: u32,
+        y: u32,
+    ) -> Pixel {
+        let (ray, hit) = search_pixel(self.flat, search, x, y);
+        if let (Some(again), Some(second)) = (second, &self.second)
+            && is_in_doubt(hit)
+        {
+            second.rays.fetch_add(1, Ordering::Relaxed);
+            let (ray, hit) = search_pixel(second.flat, again, x, y);
+            return shade(second.flat, ray, hit);
+        }
         shade(self.flat, ray, hit)
     }
+}
+
+/// The scene in which rays in doubt are traced again.
+struct Second<'a> {
+    flat: &'a Flat<f64>,
+    wide: Option<Wide<f64>>,
+    rays: AtomicU64,
+}
+
+/// The ray of a pixel and its closest hit.
+fn search_pixel<R: Real>(
+    flat: &Flat<R>,
+    search: &mut Search<'_, R>,
+    x: u32,
+    y: u32,
+) -> (Ray<R>, Hit<R>) {
+    let ray = camera_ray(&flat.camera, flat.size, x, y);
+    let mut hit = no_hit();
+    hit.tile = tile_of(flat.size, x, y);
+    search.closest(probe_of(ray), &mut hit);
+    (ray, hit)
 }
 
 /// A square of a band of rows, or what there is of it.

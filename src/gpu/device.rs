@@ -8,6 +8,7 @@ use wgpu::Features;
 use super::adapter::{AdapterDescription, choose};
 use super::selfcheck::{Arithmetic, measure_arithmetic};
 use crate::error::{Error, Result};
+use crate::tier::Accuracy;
 
 /// How long one dispatch may take before the device counts as lost. Dispatches
 /// are sized to take a tenth of a second; a driver that compiles a pipeline on
@@ -126,6 +127,27 @@ impl Gpu {
     /// Whether the device computes in f64 too.
     pub fn has_f64(&self) -> bool {
         self.device.features().contains(Features::SHADER_F64)
+    }
+
+    /// Why the device does not trace with this accuracy, if it does not.
+    pub fn lacks(&self, accuracy: Accuracy) -> Option<String> {
+        let name = &self.adapter.name;
+        match accuracy {
+            Accuracy::Textbook | Accuracy::Robust => None,
+            Accuracy::Extended
+                if self.is_exact() && self.arithmetic.two_sum && self.arithmetic.two_prod =>
+            {
+                None
+            }
+            Accuracy::Extended => Some(format!(
+                "`extended` needs exact sums: on {name}, TwoSum does not give the error of a sum"
+            )),
+            Accuracy::Double | Accuracy::Adaptive if self.has_f64() => None,
+            Accuracy::Double | Accuracy::Adaptive => Some(format!(
+                "`{}` needs f64, which {name} has not",
+                accuracy.name()
+            )),
+        }
     }
 
     /// Whether the device times its passes.

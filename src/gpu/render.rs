@@ -24,6 +24,7 @@ use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::{Dispatch, Pixel};
+use crate::tier::{Bounded, Double};
 use crate::watch::Watch;
 
 /// Lights that may be looped over in the dispatch of a search: with them it stays within
@@ -47,6 +48,22 @@ pub fn render<R: Real>(
     keep_rows: &mut dyn FnMut(u32, &[Pixel]),
 ) -> Result<()> {
     Prepared::new(gpu, flat, portions)?.run(watch, keep_rows)
+}
+
+/// A scene in f32 ready to be traced with bounds of the error, and in f64 for the rays in
+/// doubt: the same volumes in both. Where one dispatch of those cannot test everything, all
+/// rays are taken for doubtful.
+///
+/// # Errors
+///
+/// As [`Prepared::new`].
+pub fn adaptive<'a>(
+    gpu: &'a Gpu,
+    first: &'a Flat<Bounded>,
+    second: &Flat<Double>,
+) -> Result<Prepared<'a, Bounded>> {
+    let portions = Portions::default();
+    Prepared::new(gpu, first, portions)?.with_second(second, portions)
 }
 
 /// Counts what each ray of a picture tests, with shaders that count.

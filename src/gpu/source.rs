@@ -3,7 +3,7 @@
 //! WGSL's module scope knows no order, so a module is simply the files that a
 //! scene calls for, one after the other.
 
-use std::borrow::Cow;
+use std::collections::HashSet;
 
 /// A shader file, embedded in the program.
 #[derive(Debug, Clone, Copy)]
@@ -34,27 +34,19 @@ impl Source {
             ..self
         }
     }
-
-    fn joined_text(&self) -> Cow<'static, str> {
-        if self.single {
-            in_f32(self.text).into()
-        } else {
-            self.text.into()
-        }
-    }
 }
 
-/// See [`Source::in_f32`].
-fn in_f32(text: &str) -> String {
-    let defined: Vec<&str> = text
-        .lines()
-        .filter_map(|line| {
-            let rest = ["fn ", "const ", "struct "]
-                .iter()
-                .find_map(|word| line.strip_prefix(word))?;
-            rest.split(|c: char| !is_word(c)).next()
-        })
-        .collect();
+/// The names that a file defines.
+fn defined_names(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter_map(|line| {
+        let mut kinds = ["fn ", "const ", "struct "].into_iter();
+        let rest = kinds.find_map(|kind| line.strip_prefix(kind))?;
+        rest.split(|c: char| !is_word(c)).next()
+    })
+}
+
+/// See [`Source::in_f32`]; `names` are those of all such files.
+fn in_f32(text: &str, names: &HashSet<&str>) -> String {
     let mut changed = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(begin) = rest.find(is_word) {
@@ -63,7 +55,7 @@ fn in_f32(text: &str) -> String {
         changed.push_str(&rest[..begin]);
         match &word[..end] {
             "real" => changed.push_str("f32"),
-            name if defined.contains(&name) => {
+            name if names.contains(name) => {
                 changed.push_str(name);
                 changed.push_str("_f32");
             }
@@ -93,9 +85,15 @@ impl Assembly {
     pub fn join(files: &[Source]) -> Self {
         let mut wgsl = String::new();
         let mut starts = Vec::new();
+        let singles = files.iter().filter(|file| file.single);
+        let names = singles.flat_map(|file| defined_names(file.text)).collect();
         for file in files {
             starts.push((file.name, wgsl.len()));
-            wgsl.push_str(&file.joined_text());
+            if file.single {
+                wgsl.push_str(&in_f32(file.text, &names));
+            } else {
+                wgsl.push_str(file.text);
+            }
             wgsl.push('\n');
         }
         Self {
@@ -133,11 +131,14 @@ mod tests {
 
     #[test]
     fn a_file_is_taken_for_f32_too() {
-        let text =
-            "const K: f32 = 1;\nfn half(a: real) -> real {\n    return a * K + halfway(a);\n}";
-        let single = "const K_f32: f32 = 1;\nfn half_f32(a: f32) -> f32 {\n    return a * K_f32 + halfway(a);\n}";
-        let file = Source::new("half.wgsl", text);
-        assert_eq!(file.in_f32().joined_text(), single);
-        assert_eq!(file.joined_text(), text);
+        let one = "const K: f32 = 1;\nfn half(a: real) -> real { return a * K + two(a); }";
+        let two = "fn two(a: real) -> real { return a + halfway(a); }";
+        let [one, two] = [Source::new("one.wgsl", one), Source::new("two.wgsl", two)];
+        let single = Assembly::join(&[one.in_f32(), two.in_f32()]).wgsl;
+        let expected = "const K_f32: f32 = 1;\n\
+            fn half_f32(a: f32) -> f32 { return a * K_f32 + two_f32(a); }\n\
+            fn two_f32(a: f32) -> f32 { return a + halfway(a); }\n";
+        assert_eq!(single, expected);
+        assert!(Assembly::join(&[one]).wgsl.starts_with(one.text));
     }
 }

@@ -9,6 +9,12 @@ use super::real::{Real, constant, copy_sign};
 use super::vector::{Vec3, dot_product, taxicab_length};
 use crate::layout::Sphere;
 
+/// The error of |f|^2, in parts of it: three roundings, and two of the centre's.
+const SQUARE_ERROR: f32 = 5.25 / 16_777_216.0;
+
+/// The error of r^2, in parts of it: one rounding, and two of the radius's.
+const RADIUS_ERROR: f32 = 3.25 / 16_777_216.0;
+
 /// Where the ray meets the sphere, within bounds.
 #[inline]
 pub fn meet_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
@@ -42,10 +48,14 @@ pub fn meet_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
     if q_error * constant(4.0) > q.abs() {
         return doubtful_meeting(R::ZERO);
     }
-    let c = dot_product(f, f) - sphere.radius * sphere.radius;
+    let square = dot_product(f, f);
+    let radius_square = sphere.radius * sphere.radius;
+    let c = square - radius_square;
+    let c_error = (square * constant(SQUARE_ERROR) + radius_square * constant(RADIUS_ERROR))
+        + (taxicab_length(probe.ray.origin) * taxicab_length(f)) * constant(ERROR);
     let t0 = divide(c, q);
     let t1 = divide(q, a);
-    let t0_error = divide(reach * error + t0.abs() * q_error, q.abs()) * constant(1.5);
+    let t0_error = divide(c_error + t0.abs() * q_error, q.abs() - q_error);
     let t1_error = divide(q_error, a);
     let swapped = t1 < t0;
     let near = if swapped { t1 } else { t0 };

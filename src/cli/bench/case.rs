@@ -24,9 +24,9 @@ pub(super) enum Tracer<'a> {
 pub(super) struct OnGpu<'a> {
     device: &'a Gpu,
     /// As pictures are traced.
-    prepared: gpu::Prepared<'a>,
+    prepared: gpu::Prepared<'a, f32>,
     /// With passes that are timed, where the device has a clock.
-    timed: Option<gpu::Prepared<'a>>,
+    timed: Option<gpu::Prepared<'a, f32>>,
 }
 
 impl<'a> Tracer<'a> {

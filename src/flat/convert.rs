@@ -1,0 +1,85 @@
+//! The same scene in other numbers.
+
+use std::sync::OnceLock;
+
+use super::{Flat, GivenBound, Part};
+use crate::kernel::real::Real;
+use crate::layout::{CameraRecord, Disk, Plane, Sphere};
+
+impl<R: Real> Flat<R> {
+    /// The scene with each number rounded to, or widened to, another width: the same rows,
+    /// the same volumes.
+    pub fn converted<S: Real>(&self) -> Flat<S> {
+        Flat {
+            size: self.size,
+            camera: CameraRecord {
+                right: self.camera.right.map(convert),
+                offset_x: convert(self.camera.offset_x),
+                up: self.camera.up.map(convert),
+                offset_y: convert(self.camera.offset_y),
+                forward: self.camera.forward.map(convert),
+                padding: S::ZERO,
+            },
+            surroundings: self.surroundings,
+            lights: self.lights.clone(),
+            materials: self.materials.clone(),
+            material_indices: self.material_indices.clone(),
+            spheres: self.spheres.iter().map(convert_sphere).collect(),
+            sphere_ids: self.sphere_ids.clone(),
+            planes: self.planes.iter().map(convert_plane).collect(),
+            disks: self.disks.iter().map(convert_disk).collect(),
+            disk_ids: self.disk_ids.clone(),
+            triangles: self.triangles.clone(),
+            vertices: self.vertices.iter().map(|v| v.map(convert)).collect(),
+            vertex_normals: self.vertex_normals.clone(),
+            parts: self.parts.iter().map(convert_part).collect(),
+            volumes: self.volumes.clone(),
+            balls: self.balls.iter().map(convert_sphere).collect(),
+            boxes: self.boxes.clone(),
+            tile_words: self.tile_words,
+            tile_masks: OnceLock::new(),
+            pairs: self.pairs.clone(),
+        }
+    }
+}
+
+fn convert<R: Real, S: Real>(number: R) -> S {
+    S::from_f64(number.to_f64())
+}
+
+fn convert_sphere<R: Real, S: Real>(sphere: &Sphere<R>) -> Sphere<S> {
+    Sphere {
+        center: sphere.center.map(convert),
+        radius: convert(sphere.radius),
+    }
+}
+
+fn convert_plane<R: Real, S: Real>(plane: &Plane<R>) -> Plane<S> {
+    Plane {
+        point: plane.point.map(convert),
+        padding_0: S::ZERO,
+        normal: plane.normal.map(convert),
+        padding_1: S::ZERO,
+    }
+}
+
+fn convert_disk<R: Real, S: Real>(disk: &Disk<R>) -> Disk<S> {
+    Disk {
+        center: disk.center.map(convert),
+        radius: convert(disk.radius),
+        normal: disk.normal.map(convert),
+        padding: S::ZERO,
+    }
+}
+
+fn convert_part<R: Real, S: Real>(part: &Part<R>) -> Part<S> {
+    Part {
+        parent: part.parent,
+        is_mesh: part.is_mesh,
+        given: part.given.map(|given| match given {
+            GivenBound::Ball(ball) => GivenBound::Ball(convert_sphere(&ball)),
+            GivenBound::Box(record) => GivenBound::Box(record),
+        }),
+        ids: part.ids.clone(),
+    }
+}
