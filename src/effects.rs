@@ -143,7 +143,8 @@ impl Entry {
 fn real_file(width: Width) -> Source {
     match width {
         Width::Single => file!("real_f32.wgsl"),
-        Width::Extended | Width::Double => file!("real_f64.wgsl"),
+        Width::Extended => file!("real_two.wgsl"),
+        Width::Double => file!("real_f64.wgsl"),
     }
 }
 
@@ -285,6 +286,9 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Sou
             .iter()
             .map(|file| by_formulas(*file, device.formulas)),
     );
+    if device.width == Width::Extended {
+        files.push(file!("two_float.wgsl"));
+    }
     files.extend([divide, device.divide.in_f32()]);
     files.extend([device.fetch.file(), device.entry.file()]);
     files.push(if device.count {

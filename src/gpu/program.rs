@@ -10,6 +10,7 @@ use super::source::Assembly;
 pub use super::source::Source;
 use super::split::split_reals;
 use crate::error::{Error, Result};
+use crate::tier::Width;
 
 /// How a shader uses a buffer or a texture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,13 +61,14 @@ impl Program {
         Self::translate(files, false)
     }
 
-    /// The same with each f64 in two f32, by the functions of `two_float.wgsl`.
+    /// The same for geometry of a width: in two f32, each f64 is rewritten as those, by
+    /// the functions of `two_float.wgsl`.
     ///
     /// # Errors
     ///
     /// As [`Program::build`], and where a use of f64 cannot be rewritten.
-    pub fn build_split(files: &[Source]) -> Result<Self> {
-        Self::translate(files, true)
+    pub fn in_width(files: &[Source], width: Width) -> Result<Self> {
+        Self::translate(files, width == Width::Extended)
     }
 
     fn translate(files: &[Source], split: bool) -> Result<Self> {

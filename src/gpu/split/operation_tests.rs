@@ -191,7 +191,7 @@ fn refusal(function: &str) -> Option<String> {
         @compute @workgroup_size(64) fn calculate() {{ keep(0u, tried(number_at(0u))); }}"
     );
     let tried = Source::new("tried", text.leak());
-    let error = Program::build_split(&[PRELUDE, TWO_FLOAT, tried]).err();
+    let error = Program::in_width(&[PRELUDE, TWO_FLOAT, tried], Width::Extended).err();
     error.map(|error| error.to_string())
 }
 
@@ -224,7 +224,7 @@ fn what_cannot_be_rewritten_is_refused() {
         "entry",
         "@compute @workgroup_size(64) fn calculate() { keep(0u, number_at(0u) * 2.0); }",
     );
-    let error = Program::build_split(&[PRELUDE, entry]).unwrap_err();
+    let error = Program::in_width(&[PRELUDE, entry], Width::Extended).unwrap_err();
     assert!(error.to_string().contains("no function"), "{error}");
 }
 
@@ -242,11 +242,12 @@ fn every_effect_can_be_rewritten() {
                 fetch,
             };
             let mut files = select_files(|_| true, device);
-            files.push(TWO_FLOAT);
-            Program::build(&files).expect("f64");
-            Program::build_split(&files).expect("two f32");
-            files.pop();
-            assert!(Program::build_split(&files).is_err(), "the control");
+            Program::in_width(&files, device.width).unwrap();
+            files.retain(|file| file.name != TWO_FLOAT.name);
+            assert!(
+                Program::in_width(&files, device.width).is_err(),
+                "the control"
+            );
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::kernel::triangle::{intersect_triangle, shear_of, triangle_normal, tri
 use crate::kernel::two_float::TwoFloat;
 use crate::kernel::vector::Vec3;
 use crate::layout::{Sphere, Triangle};
+use crate::tier::Width;
 
 macro_rules! shader {
     ($name:literal) => {
@@ -94,7 +95,7 @@ pub(super) fn open() -> Gpu {
 pub(super) fn program(two_float: Source, entry: Source) -> Program {
     let mut files = FILES.to_vec();
     files.extend([two_float, entry]);
-    Program::build_split(&files).unwrap_or_else(|error| panic!("{error}"))
+    Program::in_width(&files, Width::Extended).unwrap_or_else(|error| panic!("{error}"))
 }
 
 pub(super) fn calculate(
