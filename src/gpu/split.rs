@@ -1,10 +1,10 @@
-//! The shaders' f64 form in two f32: for devices without f64, and for lavapipe, whose
-//! f64 is slow.
+//! The shaders' f64 form in two f32, for devices without f64.
 //!
 //! WGSL has no overloading, so vector arithmetic in two f32 cannot be written as such.
 //! Instead the module that naga parsed is rewritten: an f64 becomes a `vec2<f32>`, a
 //! vector of n of them a matrix of n columns, and each operation a call of a function
-//! of `two_float.wgsl`. Layouts stay: what took eight bytes takes eight.
+//! of `two_float.wgsl`. Layouts stay: what took eight bytes takes eight. What cannot be
+//! rewritten is an error.
 
 mod block;
 mod expressions;
