@@ -149,7 +149,8 @@ impl Entry {
 fn real_file(width: Width) -> Source {
     match width {
         Width::Single => file!("real_f32.wgsl"),
-        Width::Extended | Width::Double => file!("real_f64.wgsl"),
+        Width::Extended => file!("real_two.wgsl"),
+        Width::Double => file!("real_f64.wgsl"),
     }
 }
 
@@ -291,6 +292,9 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Sou
             .iter()
             .map(|file| by_formulas(*file, device.formulas)),
     );
+    if device.width == Width::Extended {
+        files.push(file!("two_float.wgsl"));
+    }
     files.extend([divide, device.divide.in_f32()]);
     files.push(device.fetch.file());
     files.extend(device.entry.files());

@@ -8,6 +8,7 @@ use bytemuck::{Pod, Zeroable};
 use serde::Serialize;
 
 use crate::kernel::real::Real;
+use crate::kernel::two_float::TwoFloat;
 
 /// Which formulas the shapes are tested by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -150,6 +151,6 @@ single_numbers! {
 /// A number of [`Accuracy::Robust`].
 pub type Robust = f32;
 /// A number of [`Accuracy::Extended`].
-pub type Extended = f32; // two_float to come
+pub type Extended = TwoFloat;
 /// A number of [`Accuracy::Double`].
 pub type Double = f64;

@@ -9,7 +9,8 @@ use super::device::Gpu;
 use super::program::{Program, Source};
 use super::samples::{hash, quotient_near_midpoint, root_near_midpoint};
 use super::selfcheck::{measure_f32, output, read, run};
-use crate::effects::{DIVIDE_CORRECTED, Device, Fetch, select_files};
+use crate::effects::{DIVIDE_CORRECTED, Device, Entry, Fetch, select_files};
+use crate::tier::{Formulas, Width};
 
 const REAL: Source = Source::new("real", "alias real = f32;");
 
@@ -205,6 +206,9 @@ fn the_correction_fits_beside_every_other_file() {
         divide: DIVIDE_CORRECTED,
         fetch: Fetch::Storage,
         count: false,
+        formulas: Formulas::Stable,
+        width: Width::Single,
+        entry: Entry::Tile,
     };
     Program::build(&select_files(|_| true, device)).unwrap();
     // The control: the names of one file twice.

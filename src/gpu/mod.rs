@@ -28,6 +28,7 @@ mod screen;
 pub mod selfcheck;
 pub mod source;
 mod spirv;
+mod split;
 mod stage;
 mod tile;
 mod timestamps;

@@ -8,7 +8,9 @@ use super::exact::forbid_contraction;
 use super::scratch::leave_arrays_unset;
 use super::source::Assembly;
 pub use super::source::Source;
+use super::split::split_reals;
 use crate::error::{Error, Result};
+use crate::tier::Width;
 
 /// How a shader uses a buffer or a texture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,13 +58,31 @@ impl Program {
     ///
     /// [`Error::Shader`] with file and line: a defect of the shader.
     pub fn build(files: &[Source]) -> Result<Self> {
+        Self::translate(files, false)
+    }
+
+    /// The same for geometry of a width: in two f32, each f64 is rewritten as those, by
+    /// the functions of `two_float.wgsl`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Program::build`], and where a use of f64 cannot be rewritten.
+    pub fn in_width(files: &[Source], width: Width) -> Result<Self> {
+        Self::translate(files, width == Width::Extended)
+    }
+
+    fn translate(files: &[Source], split: bool) -> Result<Self> {
         let assembly = Assembly::join(files);
         let mut module = naga::front::wgsl::parse_str(&assembly.wgsl).map_err(|error| {
             let place = error.location(&assembly.wgsl).map(|at| at.offset as usize);
             shader_error(&assembly, place, error.message())
         })?;
+        let info = validate(&module, &assembly)?;
+        if split {
+            module = split_reals(&module, &info).map_err(Error::Shader)?;
+            validate(&module, &assembly)?;
+        }
         // What no entry point reaches is removed, bindings included.
-        validate(&module, &assembly)?;
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
         let info = validate(&module, &assembly)?;
         let bindings = reflect(&module);

@@ -131,7 +131,7 @@ impl<'a, R: Real> Prepared<'a, R> {
         };
         let mut files = shader_files(&flat.counts(), device);
         change(&mut files);
-        let program = Program::build(&files)?;
+        let program = Program::in_width(&files, R::WIDTH)?;
         let kernel = gpu.compile(&program)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
         let screen = Screen::set_up(gpu, flat)?;

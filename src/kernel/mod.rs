@@ -49,5 +49,6 @@ pub mod triangle_bounded;
 pub mod triangle_meeting;
 pub mod triangle_textbook;
 pub mod triangles;
+pub mod two_float;
 pub mod vector;
 pub mod volumes;
