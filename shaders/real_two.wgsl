@@ -33,6 +33,12 @@ fn reals_at(table: u32, index: u32) -> vec4<real> {
     ));
 }
 
+// The f32 whose sum a number is.
+fn parts_of(number: real) -> vec3<f32> {
+    let parts = parts_of_real(number);
+    return vec3<f32>(parts.x, parts.y, 0.0);
+}
+
 // The magnitude of `magnitude` with the sign of `sign`.
 fn copy_sign(magnitude: real, sign: real) -> real {
     return select(abs(magnitude), -abs(magnitude), sign < 0.0);

@@ -58,7 +58,10 @@ impl Retrace {
             divide: gpu.arithmetic.divide_file(),
             fetch,
         };
-        let kernel = gpu.compile(&Program::in_width(&shader_files(&flat.counts(), device), R::WIDTH)?)?;
+        let kernel = gpu.compile(&Program::in_width(
+            &shader_files(&flat.counts(), device),
+            R::WIDTH,
+        )?)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, usage)?;
