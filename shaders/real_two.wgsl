@@ -14,6 +14,12 @@ fn real_of_parts(high: f32, low: f32) -> real {
     return real(high) + real(low);
 }
 
+// The two f32 of a number; in two f32 its parts as they are.
+fn parts_of_real(number: real) -> vec2<f32> {
+    let high = f32(number);
+    return vec2<f32>(high, f32(number - real(high)));
+}
+
 // Four numbers of their parts.
 fn reals_of(parts: array<vec4<f32>, PARTS>) -> vec4<real> {
     return vec4<real>(
