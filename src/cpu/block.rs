@@ -115,14 +115,17 @@ impl<R: Real> Block<R> {
             let (w_left, w_right) = (bx[lane] * ay[lane], by[lane] * ax[lane]);
             let (negative, positive) = if R::FORMULAS == Formulas::Bounded {
                 let error = (distance[lane] + beyond) * constant(ERROR);
-                let across = (ax[lane].abs() + ay[lane].abs())
-                    + (bx[lane].abs() + by[lane].abs())
-                    + (cx[lane].abs() + cy[lane].abs());
-                let slack = (across + R::TWO * error) * error;
+                let twice = R::TWO * error;
+                let a_size = ax[lane].abs() + ay[lane].abs();
+                let b_size = bx[lane].abs() + by[lane].abs();
+                let c_size = cx[lane].abs() + cy[lane].abs();
+                let u_slack = ((b_size + c_size) + twice) * error;
+                let v_slack = ((c_size + a_size) + twice) * error;
+                let w_slack = ((a_size + b_size) + twice) * error;
                 let [u, v, w] = [u_left - u_right, v_left - v_right, w_left - w_right];
                 (
-                    (u < -slack) | (v < -slack) | (w < -slack),
-                    (u > slack) | (v > slack) | (w > slack),
+                    (u < -u_slack) | (v < -v_slack) | (w < -w_slack),
+                    (u > u_slack) | (v > v_slack) | (w > w_slack),
                 )
             } else {
                 (
