@@ -1,8 +1,9 @@
 // Where a ray meets a sphere, and how far that may be off. The formulas are those of
 // sphere.wgsl; the bounds are derived in docs/numerics.md.
 
-// The error of |f|^2, in parts of it: three roundings, and two of the centre's.
-const SQUARE_ERROR: f32 = 5.25 / 16777216.0;
+// The error of |f|^2, in parts of it: three roundings, and twice one of the centre's and
+// one of f's.
+const SQUARE_ERROR: f32 = 7.25 / 16777216.0;
 
 // The error of r^2, in parts of it: one rounding, and two of the radius's.
 const RADIUS_ERROR: f32 = 3.25 / 16777216.0;

@@ -10,8 +10,9 @@ use super::real::{Real, constant, copy_sign};
 use super::vector::{Vec3, dot_product, taxicab_length};
 use crate::layout::Sphere;
 
-/// The error of |f|^2, in parts of it: three roundings, and two of the centre's.
-const SQUARE_ERROR: f32 = 5.25 / 16_777_216.0;
+/// The error of |f|^2, in parts of it: three roundings, and twice one of the centre's and
+/// one of f's.
+const SQUARE_ERROR: f32 = 7.25 / 16_777_216.0;
 
 /// The error of r^2, in parts of it: one rounding, and two of the radius's.
 const RADIUS_ERROR: f32 = 3.25 / 16_777_216.0;
@@ -79,4 +80,44 @@ pub fn meet_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
         return meeting_within(far, far_error + far.abs() * constant(ERROR));
     }
     meeting_within(near, near_error + near.abs() * constant(ERROR))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::camera::Ray;
+    use crate::kernel::probe::probe_of;
+    use crate::kernel::sphere::intersect_sphere;
+    use crate::tier::Bounded;
+
+    fn ray_and_sphere<R: Real>(
+        origin: [f64; 3],
+        center: [f64; 3],
+        radius: f64,
+    ) -> (Ray<R>, Sphere<R>) {
+        let vector = |v: [f64; 3]| v.map(R::from_f64);
+        let ray = Ray {
+            origin: Vec3::from(vector(origin)),
+            direction: Vec3::from(vector([1.0, 0.0, 0.0])),
+        };
+        let (center, radius) = (vector(center), R::from_f64(radius));
+        (ray, Sphere { center, radius })
+    }
+
+    /// Nearly all roundings of |f|^2 and r^2 go as far as they can, and none of f's is that
+    /// of zero minus the centre: |f|^2 - r^2 is off by 10 u.
+    #[test]
+    fn a_ray_that_starts_next_to_the_surface_is_in_doubt() {
+        let ulp = f64::from(f32::EPSILON);
+        let y = 2.0_f64.powi(-12);
+        let origin = [-0.5 * ulp * (1.0 + ulp), 0.0, 0.0];
+        let center = [1.0 + 2047.5 * ulp, y, y * (1.0 + ulp)];
+        let radius = 1.0 + 2048.5 * ulp;
+        let (ray, sphere) = ray_and_sphere::<f64>(origin, center, radius);
+        let far = intersect_sphere(ray, &sphere);
+        assert!(far > 2.0, "inside, by a rounding of f32: {far}");
+        let (ray, sphere) = ray_and_sphere::<Bounded>(origin, center, radius);
+        let meeting = meet_sphere(probe_of(ray), &sphere);
+        assert!(f64::from(meeting.low.0) <= far && far <= f64::from(meeting.high.0));
+    }
 }
