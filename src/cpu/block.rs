@@ -1,9 +1,9 @@
 //! Up to four triangles that are tested at once.
 
 use crate::flat::Flat;
-use crate::kernel::doubt::ERROR;
 use crate::kernel::probe::Probe;
 use crate::kernel::real::{Real, constant};
+use crate::kernel::triangle_bounded::TRIANGLE_ERROR;
 use crate::kernel::triangle_textbook::EDGE_ON;
 use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::taxicab_length;
@@ -114,7 +114,7 @@ impl<R: Real> Block<R> {
             let (v_left, v_right) = (ax[lane] * cy[lane], ay[lane] * cx[lane]);
             let (w_left, w_right) = (bx[lane] * ay[lane], by[lane] * ax[lane]);
             let (negative, positive) = if R::FORMULAS == Formulas::Bounded {
-                let error = (distance[lane] + beyond) * constant(ERROR);
+                let error = (distance[lane] + beyond) * constant(TRIANGLE_ERROR);
                 let twice = R::TWO * error;
                 let a_size = ax[lane].abs() + ay[lane].abs();
                 let b_size = bx[lane].abs() + by[lane].abs();

@@ -100,8 +100,7 @@ mod tests {
             origin: Vec3::from(vector(origin)),
             direction: Vec3::from(vector([1.0, 0.0, 0.0])),
         };
-        let (center, radius) = (vector(center), R::from_f64(radius));
-        (ray, Sphere { center, radius })
+        (ray, Sphere::new(vector(center), R::from_f64(radius)))
     }
 
     /// Nearly all roundings of |f|^2 and r^2 go as far as they can, and none of f's is that
