@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::bench::flags::BenchArguments;
 use super::shown::Shown;
 use super::tracing_flags::{PlaceFlags, PolicyFlags, TracingFlags};
+use super::why::flags::WhyArguments;
 use rayproof::compare::Tolerance;
 use rayproof::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
 
@@ -28,6 +29,8 @@ pub(super) enum Command {
     Compare(CompareArguments),
     /// Time bounding volumes and backends side by side, and compare their pictures
     Bench(BenchArguments),
+    /// Explain one pixel: what its ray meets in each accuracy tier and in truth, and why
+    Why(WhyArguments),
     /// Check a scene and all that it refers to, and report every fault at once
     Check(CheckArguments),
     /// Show the adapters of this machine and what their arithmetic does
