@@ -108,7 +108,7 @@ fn candidate(scene: &Scene, ids: &[Range<u32>], story: &Story<'_>, id: u32) -> C
     let meeting = |accuracy| {
         let (view, truths) = story.decides(accuracy);
         let t = view.t_of(id);
-        let off = |truths: &Truths| Some(error(t?, truths.met.get(&id)?));
+        let off = |truths: &Truths| Some(ulps(t?, truths.met.get(&id)?));
         MeetingFacts {
             accuracy,
             t,
@@ -148,7 +148,8 @@ pub(super) fn place_of<R>(flat: &Flat<R>, id: u32) -> (ShapeKind, u32) {
     }
 }
 
-fn error(t: f64, exact: &Candidate) -> f64 {
+/// By how many ulp of f32 a t is off.
+pub(super) fn ulps(t: f64, exact: &Candidate) -> f64 {
     let truth = Truth {
         id: exact.id,
         row: exact.row,

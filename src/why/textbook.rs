@@ -1,6 +1,7 @@
-//! What a textbook's formula loses of a shape that it misses: the known ways.
+//! The known ways in which a textbook's formulas go wrong.
 
 use super::candidates::place_of;
+use super::words::brief;
 use crate::flat::Flat;
 use crate::kernel::camera::{Ray, camera_ray};
 use crate::kernel::real::{Real, constant};
@@ -11,7 +12,7 @@ use crate::layout::Sphere;
 use crate::oracle::ShapeKind;
 use crate::tier::Textbook;
 
-/// Why the textbook misses a shape, if it is one of the known ways.
+/// Why the textbook misses a shape, or meets it, if that is wrong in a known way.
 pub(super) fn fault(flat: &Flat<Textbook>, [x, y]: [u32; 2], id: u32) -> Option<String> {
     let ray = camera_ray(&flat.camera, flat.size, x, y);
     match place_of(flat, id) {
@@ -21,7 +22,7 @@ pub(super) fn fault(flat: &Flat<Textbook>, [x, y]: [u32; 2], id: u32) -> Option<
     }
 }
 
-/// b^2 - 4ac below zero where it is not.
+/// b^2 - 4ac on the wrong side of zero.
 fn cancelled(ray: Ray<Textbook>, sphere: &Sphere<Textbook>) -> Option<String> {
     // As `sphere_textbook` has it.
     let f = ray.origin - Vec3::from(sphere.center);
@@ -35,13 +36,15 @@ fn cancelled(ray: Ray<Textbook>, sphere: &Sphere<Textbook>) -> Option<String> {
     let across = cross_product(f, d);
     let radius = sphere.radius.to_f64();
     let exact = 4.0 * (dot_product(d, d) * (radius * radius) - dot_product(across, across));
-    (computed < Textbook::ZERO && exact >= 0.0).then(|| {
+    let turned = (computed < Textbook::ZERO) != (exact < 0.0);
+    turned.then(|| {
         format!(
-            "b^2 - 4ac comes out as {:.3e} in place of {exact:.3e}, since b^2 and 4ac are both \
-             about {:.1e}, where numbers of f32 are {:.1e} apart",
-            computed.0,
-            square.0,
-            square.0.next_up() - square.0
+            "b^2 - 4ac comes out as {} where it is {}, since both terms are about {}, and there \
+             numbers of f32 are {} apart",
+            brief(computed.to_f64()),
+            brief(exact),
+            brief(square.to_f64()),
+            brief((square.0.next_up() - square.0).into())
         )
     })
 }

@@ -1,9 +1,10 @@
 //! How a tier came to its answer, and what makes the exact one, in plain sentences.
 
+use super::ROUNDINGS;
+use super::candidates::{place_of, ulps};
 use super::seen::{Seen, View};
 use super::textbook::fault;
 use super::truth::Truths;
-use super::{ROUNDINGS, candidates::place_of};
 use crate::accuracy::Widths;
 use crate::flat::Flat;
 use crate::kernel::camera::Ray;
@@ -53,9 +54,9 @@ impl Story<'_> {
         let behind = (other.t - t.t) + (other.t_rest - t.t_rest);
         let next = self.name(*next);
         if behind == 0.0 {
-            return format!("{next} is met at the same t: of two the lower id counts");
+            return format!("{next} is met at the same t, and the lower id counts");
         }
-        format!("{next} comes next, {} later", number(behind))
+        format!("{next} comes next, at a t larger by {}", brief(behind))
     }
 
     /// How a tier came to its answer.
@@ -67,9 +68,9 @@ impl Story<'_> {
         }
         let doubt = self.doubt();
         if self.seen.first_pass.in_doubt {
-            return format!("in doubt, since {doubt}; traced again in f64, {answer}");
+            return format!("in doubt, since {doubt}; traced again in f64: {answer}");
         }
-        format!("certain, since {doubt}; {answer}")
+        format!("{answer}; certain, since {doubt}")
     }
 
     /// The first pass of the adaptive tier.
@@ -78,8 +79,8 @@ impl Story<'_> {
         let own = self.name(view.found.id);
         if !view.in_doubt {
             return match view.found.id {
-                NO_HIT => "no shape comes near the ray".into(),
-                _ => format!("{own} ends its interval before any other begins"),
+                NO_HIT => "the ray comes near no shape".into(),
+                _ => format!("the interval of {own} ends before any other begins"),
             };
         }
         if !(view.rival <= view.high && view.rival < f64::INFINITY) {
@@ -96,7 +97,7 @@ impl Story<'_> {
         let from = single(view.rival);
         let met = if may { "may be met" } else { "is met" };
         if view.found.id == NO_HIT {
-            return format!("{rival} {met} from t = {from} on and nothing is met for certain");
+            return format!("{rival} {met} from t = {from} on, and nothing is met for certain");
         }
         let high = single(view.high);
         format!("{rival} {met} from t = {from} on, before the interval of {own} ends at {high}")
@@ -108,20 +109,22 @@ impl Story<'_> {
         if found == exact {
             if truths.first != exact {
                 return format!(
-                    "as exact, though for its rounded numbers it would be {}",
+                    "right, by luck: its rounded numbers, taken as exact, give {}",
                     self.name(truths.first)
                 );
             }
-            return "as exact".into();
+            return "right".into();
         }
         let mut text = self.fault(accuracy, view);
         if found != NO_HIT && !self.exact.met.contains_key(&found) {
             text += &format!(", which the exact ray misses by {}", self.roundings(found));
         }
         if truths.first == found {
-            text + "; that is exact for the rounded numbers: rounding scene and ray turned it"
+            text + "; the rounded numbers, taken as exact, give that too: rounding scene and ray \
+                    is enough to turn it"
         } else if truths.first == exact {
-            text + "; the rounded numbers would still give the right answer: it is the formulas"
+            text + "; the rounded numbers, taken as exact, give the right answer: the fault is in \
+                    the formulas"
         } else {
             text
         }
@@ -130,28 +133,49 @@ impl Story<'_> {
     fn fault(&self, accuracy: Accuracy, view: &View) -> String {
         let (found, exact) = (view.found.id, self.exact.first);
         let [shown, right] = [found, exact].map(|id| self.name(id));
+        let known = |id| match accuracy {
+            Accuracy::Textbook => fault(&self.widths.textbook, self.pixel, id),
+            _ => None,
+        };
+        let because = |id| known(id).map_or(String::new(), |fault| format!(": {fault}"));
         if exact == NO_HIT {
-            return format!("meets {shown}");
+            return format!("meets {shown}{}", because(found));
         }
         let Some(right_t) = view.t_of(exact) else {
-            let by = match fault(&self.widths.textbook, self.pixel, exact) {
-                Some(fault) if accuracy == Accuracy::Textbook => format!(": {fault}"),
-                _ => format!(", which the exact ray meets by {}", self.roundings(exact)),
+            let instead = match found {
+                NO_HIT => String::new(),
+                _ => format!("; behind it, it meets {shown}"),
             };
-            return match found {
-                NO_HIT => format!("misses {right}{by}"),
-                _ => format!("misses {right}{by}; shows {shown}"),
-            };
+            let by = self.roundings(exact);
+            return format!(
+                "misses {right}, which the exact ray meets by {by}{}{instead}",
+                because(exact)
+            );
         };
-        if found != NO_HIT && view.found.t < right_t {
-            let early = number(right_t - view.found.t);
-            return format!("meets {right} too, but {shown} {early} before it");
-        }
-        if found != NO_HIT && view.found.t == right_t {
-            return format!("meets {right} at the very t of {shown}, and the lower id counts");
+        if found != NO_HIT && view.found.t <= right_t {
+            let [other, own] = [found, exact].map(|id| self.error(view, id));
+            let worse = if own > other {
+                right.clone()
+            } else {
+                shown.clone()
+            };
+            let error = brief(own.max(other));
+            let early = match right_t - view.found.t {
+                0.0 => "at the same t".into(),
+                early => format!("{} before it", brief(early)),
+            };
+            let off = format!("the t of {worse} is off by {error} ulp");
+            return format!("meets {right} too, but {shown} {early}, since {off}");
         }
         // Every tier but the textbook clamps its hits to boxes.
-        format!("meets {right}, but a volume around it is missed or left too early")
+        format!("meets {right}, but misses a volume around it, or has it end too early")
+    }
+
+    /// By how many ulp of f32 the t of a shape is off; 0 where it is truly missed.
+    fn error(&self, view: &View, id: u32) -> f64 {
+        let exact = self.exact.met.get(&id);
+        let errors = view.t_of(id).zip(exact).map(|(t, exact)| ulps(t, exact));
+        errors.unwrap_or(0.0)
     }
 
     /// How far the exact ray is from the edge at which it would no longer meet, or miss, a
@@ -192,15 +216,11 @@ fn single(value: f64) -> String {
     }
 }
 
-/// Three digits of a number.
-fn number(value: f64) -> String {
-    format!("{value:.2e}")
-}
-
-/// A few digits of a number of ordinary size.
-fn brief(value: f64) -> String {
-    match value {
-        value if (0.01..1e4).contains(&value) => format!("{value:.2}"),
-        value => number(value),
+/// A few digits.
+pub(super) fn brief(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        size if (0.01..1e4).contains(&size) => format!("{value:.2}"),
+        _ => format!("{value:.1e}"),
     }
 }

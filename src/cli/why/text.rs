@@ -5,10 +5,13 @@ use rayproof::bounds::Bounds;
 use rayproof::frame::Verdict;
 use rayproof::oracle::ShapeKind;
 use rayproof::render::Accuracy;
-use rayproof::why::{CandidateFacts, Path, TierFacts, VolumeKind, Why};
+use rayproof::why::{CandidateFacts, Path, VolumeKind, Why};
 
 /// Candidates shown; JSON has them all.
 const MOST: usize = 10;
+
+/// Columns of a sentence.
+const WIDTH: usize = 76;
 
 /// The band in which a decision is within the roundings that stable formulas make.
 const BAND: f64 = rayproof::accuracy::BAND * 16_777_216.0;
@@ -25,15 +28,18 @@ pub(super) fn explained(scene: &str, why: &Why, more: bool) -> String {
     if count == 0 {
         return text + "\nNo tier meets any shape, nor is one in doubt.\n";
     }
-    text += "\nwhat the ray meets or may meet, nearest first; errors in ulp of f32: in all, and\n\
-             of the intersection alone, without what rounding scene and ray adds\n";
+    text += &format!(
+        "\nwhat the ray meets or may meet, nearest first\n  {:10}{:<24}{:>9}  {:>12}\n",
+        "", "t", "error", "intersection"
+    );
     for candidate in why.candidates.iter().take(MOST) {
         text += &shape(candidate);
     }
     if count > MOST {
         text += &format!("\nand {} more; --json has them all\n", count - MOST);
     }
-    text
+    text + "\nErrors are in ulp of f32: of the whole, and of the intersection alone, against what\n\
+            is exact for scene and ray as the tier has them, rounded.\n"
 }
 
 fn head(scene: &str, why: &Why) -> Vec<(&'static str, String)> {
@@ -100,37 +106,42 @@ fn volumes(path: &Path) -> String {
 fn winners(why: &Why) -> String {
     let exact = &why.exact;
     let near = exact.margin.map_or(String::new(), |margin| {
-        let whose = if margin <= BAND {
-            "within what f32 may round"
-        } else {
-            "more than f32 may round"
-        };
-        format!("; {} roundings of f32 from turning, {whose}", short(margin))
+        let than = if margin <= BAND { "no more" } else { "more" };
+        format!(
+            "; {} roundings of f32 would turn that, {than} than the {BAND} that f32 may make",
+            short(margin)
+        )
     });
-    let mut rows = vec![(
-        "  exact",
-        format!("{}: {}{near}", name_of(why, exact.id), exact.why),
-    )];
-    let names = [
-        "  textbook",
-        "  robust",
-        "  extended",
-        "  double",
-        "  adaptive",
-    ];
-    let tiers = names.into_iter().zip(&why.tiers);
-    rows.extend(tiers.map(|(name, tier)| (name, answer(why, tier))));
-    table(&rows)
+    let mut text = wrapped(
+        "exact",
+        &format!("{}: {}{near}", name_of(why, exact.id), exact.why),
+    );
+    for tier in &why.tiers {
+        let wrong = match tier.verdict {
+            Verdict::Right => "",
+            Verdict::FalseMiss => ", WRONG (a false miss)",
+            Verdict::FalseHit => ", WRONG (a false hit)",
+            Verdict::WrongShape => ", WRONG (another shape)",
+        };
+        let answer = format!("{}{wrong}: {}", name_of(why, tier.id), tier.why);
+        text += &wrapped(tier.accuracy.name(), &answer);
+    }
+    text
 }
 
-fn answer(why: &Why, tier: &TierFacts) -> String {
-    let wrong = match tier.verdict {
-        Verdict::Right => "",
-        Verdict::FalseMiss => " (WRONG: a false miss)",
-        Verdict::FalseHit => " (WRONG: a false hit)",
-        Verdict::WrongShape => " (WRONG: another shape)",
-    };
-    format!("{}{wrong}: {}", name_of(why, tier.id), tier.why)
+/// A name and a sentence, broken into lines that stand under one another.
+fn wrapped(name: &str, sentence: &str) -> String {
+    let mut text = format!("  {name:9}");
+    let mut length = 0;
+    for word in sentence.split(' ') {
+        if length > 0 && length + word.len() >= WIDTH {
+            text += &format!("\n  {:9}", "");
+            length = 0;
+        }
+        text += &format!(" {word}");
+        length += 1 + word.len();
+    }
+    text + "\n"
 }
 
 fn shape(facts: &CandidateFacts) -> String {
@@ -152,24 +163,15 @@ fn shape(facts: &CandidateFacts) -> String {
         };
     }
     text += "\n";
-    let line = |name: &str, t: String, rest: String| {
-        format!("  {name:10}{t:<24}{rest}").trim_end().to_string() + "\n"
-    };
     let miss = || "miss".to_string();
-    text += &line("exact", facts.t.map_or_else(miss, double), String::new());
+    text += &line("exact", &facts.t.map_or_else(miss, double), [None; 2]);
     for meeting in &facts.meetings {
         let is_single = matches!(meeting.accuracy, Accuracy::Textbook | Accuracy::Robust);
         let number = if is_single { single } else { double };
-        let off = match (meeting.error, meeting.intersection_error) {
-            (Some(all), Some(own)) => format!("off {}, of it {}", ulps(all), ulps(own)),
-            (Some(all), None) => format!("off {}", ulps(all)),
-            (None, Some(own)) => format!("off {} for its rounded numbers", ulps(own)),
-            (None, None) => String::new(),
-        };
         text += &line(
             meeting.accuracy.name(),
-            meeting.t.map_or_else(miss, number),
-            off,
+            &meeting.t.map_or_else(miss, number),
+            [meeting.error, meeting.intersection_error],
         );
     }
     let within = match facts.interval {
@@ -179,7 +181,14 @@ fn shape(facts: &CandidateFacts) -> String {
             None => format!("perhaps, not before {}", single(interval.low)),
         },
     };
-    text + &line("adaptive", within, String::new())
+    text + &line("adaptive", &within, [None; 2])
+}
+
+/// A tier's t and its errors, where there are any.
+fn line(name: &str, t: &str, [all, own]: [Option<f64>; 2]) -> String {
+    let cell = |error: Option<f64>| error.map_or(String::new(), short);
+    let line = format!("  {name:10}{t:<24}{:>9}  {:>12}", cell(all), cell(own));
+    line.trim_end().to_string() + "\n"
 }
 
 fn name_of(why: &Why, id: Option<u32>) -> String {
@@ -230,17 +239,11 @@ fn single(t: f64) -> String {
 
 /// A few digits.
 fn short(value: f64) -> String {
-    if value == 0.0 || (0.01..1e5).contains(&value) {
+    if value == 0.0 {
+        "0".into()
+    } else if (0.01..1e4).contains(&value) {
         format!("{value:.2}")
     } else {
         format!("{value:.1e}")
-    }
-}
-
-fn ulps(error: f64) -> String {
-    if error == 0.0 {
-        "0".into()
-    } else {
-        short(error)
     }
 }
