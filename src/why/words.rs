@@ -87,10 +87,12 @@ impl Story<'_> {
             let [low, high] = [view.low, view.high].map(single);
             return format!("the interval of {own} is wide, {low} to {high}");
         }
-        let rival = view
+        // Of several that begin there, the one that decides, if it is among them.
+        let others = view
             .meetings
             .iter()
-            .find(|(id, meeting)| **id != view.found.id && meeting.low == view.rival);
+            .filter(|(id, meeting)| **id != view.found.id && meeting.low == view.rival);
+        let rival = others.min_by_key(|(id, _)| (**id != self.exact.first, **id));
         let (rival, may) = rival.map_or(("another shape".into(), true), |(id, meeting)| {
             (self.name(*id), meeting.high == f64::INFINITY)
         });
@@ -115,10 +117,7 @@ impl Story<'_> {
             }
             return "right".into();
         }
-        let mut text = self.fault(accuracy, view);
-        if found != NO_HIT && !self.exact.met.contains_key(&found) {
-            text += &format!(", which the exact ray misses by {}", self.roundings(found));
-        }
+        let text = self.fault(accuracy, view);
         if truths.first == found {
             text + "; the rounded numbers, taken as exact, give that too: rounding scene and ray \
                     is enough to turn it"
@@ -139,12 +138,12 @@ impl Story<'_> {
         };
         let because = |id| known(id).map_or(String::new(), |fault| format!(": {fault}"));
         if exact == NO_HIT {
-            return format!("meets {shown}{}", because(found));
+            return format!("meets {shown}{}{}", self.missed(found), because(found));
         }
         let Some(right_t) = view.t_of(exact) else {
             let instead = match found {
                 NO_HIT => String::new(),
-                _ => format!("; behind it, it meets {shown}"),
+                _ => format!("; it meets {shown} instead{}", self.missed(found)),
             };
             let by = self.roundings(exact);
             return format!(
@@ -153,22 +152,32 @@ impl Story<'_> {
             );
         };
         if found != NO_HIT && view.found.t <= right_t {
-            let [other, own] = [found, exact].map(|id| self.error(view, id));
-            let worse = if own > other {
-                right.clone()
-            } else {
-                shown.clone()
-            };
-            let error = brief(own.max(other));
+            let [off, own] = [found, exact].map(|id| self.error(view, id));
             let early = match right_t - view.found.t {
                 0.0 => "at the same t".into(),
                 early => format!("{} before it", brief(early)),
             };
-            let off = format!("the t of {worse} is off by {error} ulp");
-            return format!("meets {right} too, but {shown} {early}, since {off}");
+            let missed = self.missed(found);
+            if own > off {
+                let own = brief(own);
+                return format!("meets {right}, {own} ulp off, but {early} {shown}{missed}");
+            }
+            let whose = match off {
+                0.0 => String::new(),
+                off => format!(", whose t is off by {} ulp", brief(off)),
+            };
+            return format!("meets {right} too, but {early} {shown}{whose}{missed}");
         }
         // Every tier but the textbook clamps its hits to boxes.
         format!("meets {right}, but misses a volume around it, or has it end too early")
+    }
+
+    /// That the exact ray misses a shape, if it does.
+    fn missed(&self, id: u32) -> String {
+        if self.exact.met.contains_key(&id) {
+            return String::new();
+        }
+        format!(", which the exact ray misses by {}", self.roundings(id))
     }
 
     /// By how many ulp of f32 the t of a shape is off; 0 where it is truly missed.

@@ -56,7 +56,7 @@ fn head(scene: &str, why: &Why) -> Vec<(&'static str, String)> {
         (
             "",
             format!(
-                "turned by {:.1e} radians; t counts in lengths of {:.6}",
+                "turned by {:.1e} radians; t counts in lengths of that, {:.6}",
                 ray.turned, ray.length
             ),
         ),
@@ -106,9 +106,14 @@ fn volumes(path: &Path) -> String {
 fn winners(why: &Why) -> String {
     let exact = &why.exact;
     let near = exact.margin.map_or(String::new(), |margin| {
-        let than = if margin <= BAND { "no more" } else { "more" };
+        let so = if margin <= BAND {
+            "may get it wrong"
+        } else {
+            "should get it right"
+        };
         format!(
-            "; {} roundings of f32 would turn that, {than} than the {BAND} that f32 may make",
+            ". A change by {} roundings of f32 would turn that; stable formulas make up to \
+             {BAND}, so f32 {so}",
             short(margin)
         )
     });
