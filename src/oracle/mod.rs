@@ -10,8 +10,7 @@
 //! arithmetic. [`shape`] has the formulas, once, over a [`number`]; [`filter`], [`double`]
 //! and [`exact`] are the widths; [`mod@distance`] compares hits; [`search`] takes the
 //! cheapest width that decides; [`mod@walk`] goes through the tree, if there is one;
-//! [`margin`] tells how near a decision is to turning. [`mod@widen`] gives it the numbers of
-//! a tracer in f32.
+//! [`margin`] tells how near a decision is to turning.
 
 pub mod distance;
 pub mod double;
@@ -22,7 +21,6 @@ pub mod number;
 pub mod search;
 pub mod shape;
 pub mod walk;
-pub mod widen;
 
 #[cfg(test)]
 mod tests;
@@ -100,6 +98,22 @@ pub struct Candidate {
 }
 
 /// Answers for one scene.
+///
+/// # Examples
+///
+/// ```
+/// use rayproof::Scene;
+/// use rayproof::flatten::flatten;
+/// use rayproof::kernel::camera::camera_ray;
+/// use rayproof::oracle::Oracle;
+///
+/// let scene = Scene::load("assets/scenes/shapes.toml")?.with_size(64, 64);
+/// let flat = flatten::<f64>(&scene);
+/// let ray = camera_ray(&flat.camera, flat.size, 32, 32);
+/// let oracle = Oracle::new(&flat);
+/// assert_eq!(oracle.closest(ray).id, oracle.candidates(ray)[0].id);
+/// # Ok::<(), rayproof::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Oracle<'a> {
     flat: &'a Flat<f64>,

@@ -107,13 +107,13 @@ fn candidate(scene: &Scene, ids: &[Range<u32>], story: &Story<'_>, id: u32) -> C
     let exact = story.exact.met.get(&id);
     let meeting = |accuracy| {
         let (view, truths) = story.decides(accuracy);
+        let off = |t: Option<f64>, truths: &Truths| Some(ulps(t?, truths.met.get(&id)?));
         let t = view.t_of(id);
-        let off = |truths: &Truths| Some(ulps(t?, truths.met.get(&id)?));
         MeetingFacts {
             accuracy,
             t,
-            error: off(story.exact),
-            intersection_error: off(truths),
+            error: off(t, story.exact),
+            intersection_error: off(view.rounded_t_of(id), truths),
         }
     };
     let interval = story.seen.first_pass.meetings.get(&id);

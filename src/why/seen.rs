@@ -9,6 +9,7 @@ use crate::found::Found;
 use crate::kernel::camera::camera_ray;
 use crate::kernel::doubt::is_in_doubt;
 use crate::kernel::hit::{Meeting, no_hit};
+use crate::kernel::near_spheres::is_near;
 use crate::kernel::probe::{Probe, probe_of};
 use crate::kernel::real::Real;
 use crate::kernel::screen::tile_of;
@@ -34,14 +35,26 @@ pub(super) struct View {
     pub(super) counters: Counters,
     /// What it meets or may meet, by id; each shape is tested by itself, without volumes.
     pub(super) meetings: HashMap<u32, Meeting<f64>>,
+    /// The same where the powers of near spheres are those of the rounded numbers, if there
+    /// are any: what the oracle can be compared with, which knows of no powers.
+    rounded: Option<HashMap<u32, Meeting<f64>>>,
 }
 
 impl View {
     /// Where it meets a shape for certain.
     pub(super) fn t_of(&self, id: u32) -> Option<f64> {
-        let meeting = self.meetings.get(&id)?;
-        (meeting.high < f64::INFINITY).then_some(meeting.t)
+        certain(&self.meetings, id)
     }
+
+    /// The same if it had nothing but the rounded numbers.
+    pub(super) fn rounded_t_of(&self, id: u32) -> Option<f64> {
+        certain(self.rounded.as_ref().unwrap_or(&self.meetings), id)
+    }
+}
+
+fn certain(meetings: &HashMap<u32, Meeting<f64>>, id: u32) -> Option<f64> {
+    let meeting = meetings.get(&id)?;
+    (meeting.high < f64::INFINITY).then_some(meeting.t)
 }
 
 /// What each kind of number sees.
@@ -89,6 +102,11 @@ pub(super) fn see<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Result<View> {
             shape_tests: hit.tests.into(),
         },
         meetings: meetings(flat, probe),
+        rounded: flat.spheres.iter().any(is_near).then(|| {
+            let mut rounded = flat.clone();
+            rounded.take_powers_anew();
+            meetings(&rounded, probe)
+        }),
     })
 }
 

@@ -3,9 +3,8 @@
 use std::collections::HashMap;
 
 use crate::flat::Flat;
-use crate::kernel::camera::{Ray, camera_ray};
+use crate::kernel::camera::camera_ray;
 use crate::kernel::real::Real;
-use crate::kernel::vector::Vec3;
 use crate::layout::NO_HIT;
 use crate::oracle::{Candidate, Oracle};
 
@@ -23,11 +22,7 @@ impl Truths {
     /// Of a pixel's ray, which is made in the width, as the tier makes it.
     pub(super) fn of<R: Real>(flat: &Flat<R>, x: u32, y: u32) -> Self {
         let ray = camera_ray(&flat.camera, flat.size, x, y);
-        let wide = |v: Vec3<R>| Vec3::from(<[R; 3]>::from(v).map(Real::to_f64));
-        let candidates = Oracle::new(&flat.converted()).candidates(Ray {
-            origin: wide(ray.origin),
-            direction: wide(ray.direction),
-        });
+        let candidates = Oracle::new(&flat.converted()).candidates(ray.converted());
         Self {
             first: candidates.first().map_or(NO_HIT, |first| first.id),
             order: candidates.iter().map(|candidate| candidate.id).collect(),

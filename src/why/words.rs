@@ -111,7 +111,7 @@ impl Story<'_> {
         if found == exact {
             if truths.first != exact {
                 return format!(
-                    "right, by luck: its rounded numbers, taken as exact, give {}",
+                    "right, though scene and ray as rounded, taken as exact, give {}",
                     self.name(truths.first)
                 );
             }
@@ -119,10 +119,10 @@ impl Story<'_> {
         }
         let text = self.fault(accuracy, view);
         if truths.first == found {
-            text + "; the rounded numbers, taken as exact, give that too: rounding scene and ray \
+            text + "; scene and ray as rounded, taken as exact, give that too: the rounding \
                     is enough to turn it"
         } else if truths.first == exact {
-            text + "; the rounded numbers, taken as exact, give the right answer: the fault is in \
+            text + "; scene and ray as rounded, taken as exact, give the right answer: the fault is in \
                     the formulas"
         } else {
             text
