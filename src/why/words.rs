@@ -154,8 +154,8 @@ impl Story<'_> {
         if found != NO_HIT && view.found.t <= right_t {
             let [off, own] = [found, exact].map(|id| self.error(view, id));
             let early = match right_t - view.found.t {
-                0.0 => "at the same t".into(),
-                early => format!("{} before it", brief(early)),
+                0.0 => "at the same t as".into(),
+                early => format!("{} behind", brief(early)),
             };
             let missed = self.missed(found);
             if own > off {

@@ -18,7 +18,7 @@ fn a_pixel_is_explained_in_text() {
     for words in [
         "24 16 of 48 x 32",
         "sphere 0 (shape 0, clay)",
-        "plane 1 (shape 1, clay)",
+        "plane 1 (shape 1, default)",
         "textbook  sphere 0: right",
         "adaptive  sphere 0: right; certain",
     ] {

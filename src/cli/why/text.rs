@@ -56,7 +56,7 @@ fn head(scene: &str, why: &Why) -> Vec<(&'static str, String)> {
         (
             "",
             format!(
-                "turned by {:.1e} radians; t counts in lengths of that, {:.6}",
+                "turned by {:.1e} radians; its length, {:.6}, is the unit of t",
                 ray.turned, ray.length
             ),
         ),
