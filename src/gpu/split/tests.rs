@@ -81,7 +81,7 @@ const TRACE: Source = Source::new(
             let out = 14u * at.x;
             keep(out, t);
             keep_vector(out + 1u, normal);
-            keep_vector(out + 4u, sphere_point(sphere, normal));
+            keep_vector(out + 4u, sphere_point(ray, sphere, normal, t));
             keep(out + 7u, intersect_triangle(ray, shear_of(ray), triangle));
             keep_vector(out + 8u, triangle_weights(ray, triangle));
             keep_vector(out + 11u, triangle_normal(triangle));
@@ -183,7 +183,7 @@ fn on_cpu<R: Real>(inputs: &[R]) -> (Vec<R>, [usize; 2]) {
         let normal = sphere_normal(ray, &sphere, t);
         results.push(t);
         results.extend(<[R; 3]>::from(normal));
-        results.extend(<[R; 3]>::from(sphere_point(&sphere, normal)));
+        results.extend(<[R; 3]>::from(sphere_point(ray, &sphere, normal, t)));
         let t_triangle = intersect_triangle(ray, shear_of(ray), &triangle);
         results.push(t_triangle);
         results.extend(<[R; 3]>::from(triangle_weights(ray, &triangle)));
