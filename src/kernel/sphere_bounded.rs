@@ -10,10 +10,10 @@ use super::vector::{Vec3, dot_product, taxicab_length};
 use crate::layout::Sphere;
 
 /// The error of |f|^2, in parts of it: three roundings, and two of the centre's.
-const SQUARE_ERROR: f32 = 5.25 / 16_777_216.0;
+pub const SQUARE_ERROR: f32 = 5.25 / 16_777_216.0;
 
 /// The error of r^2, in parts of it: one rounding, and two of the radius's.
-const RADIUS_ERROR: f32 = 3.25 / 16_777_216.0;
+pub const RADIUS_ERROR: f32 = 3.25 / 16_777_216.0;
 
 /// Where the ray meets the sphere, within bounds.
 #[inline]

@@ -231,7 +231,7 @@ fn what_cannot_be_rewritten_is_refused() {
 /// All effects at once; the screen's list of doubts counts with an atomic.
 #[test]
 fn every_effect_can_be_rewritten() {
-    for entry in [Entry::Tile, Entry::Doubtful] {
+    for entry in [Entry::Tile, Entry::DoubtfulPixels] {
         for fetch in Fetch::ALL {
             let device = Device {
                 count: true,
