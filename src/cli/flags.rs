@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::accuracy::flags::AccuracyArguments;
 use super::bench::flags::BenchArguments;
 use super::shown::Shown;
 use super::tracing_flags::{PlaceFlags, PolicyFlags, TracingFlags};
@@ -28,6 +29,8 @@ pub(super) enum Command {
     Compare(CompareArguments),
     /// Time bounding volumes and backends side by side, and compare their pictures
     Bench(BenchArguments),
+    /// Measure what each accuracy tier costs, and how far it is from the exact answer
+    Accuracy(AccuracyArguments),
     /// Check a scene and all that it refers to, and report every fault at once
     Check(CheckArguments),
     /// Show the adapters of this machine and what their arithmetic does

@@ -3,6 +3,7 @@
 //! [`flags`] declares the flags and turns them into checked options; one file
 //! for each command does the work; [`report`] says how it went.
 
+mod accuracy;
 mod bench;
 mod check;
 mod compare;
@@ -52,6 +53,7 @@ fn run(cli: &Cli) -> Result<Outcome> {
         Command::Render(arguments) => render::run(arguments, &cli.common),
         Command::Compare(arguments) => compare::run(arguments, &cli.common),
         Command::Bench(arguments) => bench::run(arguments, &cli.common),
+        Command::Accuracy(arguments) => accuracy::run(arguments, &cli.common),
         Command::Check(arguments) => check::run(arguments, &cli.common),
         Command::Doctor => doctor::run(&cli.common),
         Command::Mesh(arguments) => mesh::run(arguments, &cli.common),

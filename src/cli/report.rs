@@ -123,3 +123,40 @@ pub(super) fn start_logging(common: &Common) {
         .without_time()
         .init();
 }
+
+/// Columns side by side, each as wide as it must be, flush right but the first.
+pub(super) fn columns<const N: usize>(
+    head: [&str; N],
+    rows: impl Iterator<Item = [String; N]>,
+) -> String {
+    let mut lines = vec![head.map(str::to_string)];
+    lines.extend(rows);
+    let widths: Vec<usize> = (0..N)
+        .map(|column| lines.iter().map(|l| l[column].len()).max().unwrap_or(0))
+        .collect();
+    let mut text = String::new();
+    for line in &lines {
+        text += &format!("{:<1$}", line[0], widths[0]);
+        for (cell, width) in line.iter().zip(&widths).skip(1) {
+            text += &format!("  {cell:>width$}");
+        }
+        text += "\n";
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_they_must_be() {
+        let rows = [["cpu", "10.25"], ["gpu no. 1", "-"]].map(|row| row.map(str::to_string));
+        assert_eq!(
+            columns(["backend", "ms"], rows.into_iter()),
+            "backend       ms\n\
+             cpu        10.25\n\
+             gpu no. 1      -\n"
+        );
+    }
+}

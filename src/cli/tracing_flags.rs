@@ -143,12 +143,19 @@ impl TracingFlags {
 
     /// The accuracy asked for.
     pub(super) fn accuracy(&self) -> Accuracy {
-        match self.accuracy {
-            AccuracyChoice::Textbook => Accuracy::Textbook,
-            AccuracyChoice::Robust => Accuracy::Robust,
-            AccuracyChoice::Extended => Accuracy::Extended,
-            AccuracyChoice::Double => Accuracy::Double,
-            AccuracyChoice::Adaptive => Accuracy::Adaptive,
+        self.accuracy.accuracy()
+    }
+}
+
+impl AccuracyChoice {
+    /// The tier that it names.
+    pub(super) fn accuracy(self) -> Accuracy {
+        match self {
+            Self::Textbook => Accuracy::Textbook,
+            Self::Robust => Accuracy::Robust,
+            Self::Extended => Accuracy::Extended,
+            Self::Double => Accuracy::Double,
+            Self::Adaptive => Accuracy::Adaptive,
         }
     }
 }

@@ -100,6 +100,22 @@ pub struct Candidate {
 }
 
 /// Answers for one scene.
+///
+/// # Examples
+///
+/// ```
+/// use rayproof::Scene;
+/// use rayproof::flatten::flatten;
+/// use rayproof::kernel::camera::camera_ray;
+/// use rayproof::oracle::Oracle;
+///
+/// let scene = Scene::load("assets/scenes/shapes.toml")?.with_size(64, 64);
+/// let flat = flatten::<f64>(&scene);
+/// let ray = camera_ray(&flat.camera, flat.size, 32, 32);
+/// let oracle = Oracle::new(&flat);
+/// assert_eq!(oracle.closest(ray).id, oracle.candidates(ray)[0].id);
+/// # Ok::<(), rayproof::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Oracle<'a> {
     flat: &'a Flat<f64>,

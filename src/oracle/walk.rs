@@ -14,7 +14,9 @@ use crate::layout::{LEAF, leaf_parts};
 const EARLY: f64 = 1.0 - 16.0 / 16_777_216.0;
 
 /// Boxes are padded for rays from the camera. For others they grow by so many parts of the
-/// origin's distance; its rounding to f32 takes one of 2^-24, a difference another.
+/// origin's distance; its rounding to f32 takes one of 2^-24, a difference another. The end
+/// of an interval is moved out by as much, so no test tells this from none; but a box that
+/// is large enough is simpler to prove.
 const PADDING: f64 = 64.0 / 16_777_216.0;
 
 /// Calls `visit` for the rows of each leaf whose box the ray meets no later than at the

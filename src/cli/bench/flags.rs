@@ -16,7 +16,7 @@ use rayproof::scene::Scene;
 use rayproof::scene::mesh::MAX_DETAIL;
 
 /// Runs at most; more would only heat the machine.
-const MOST_RUNS: i64 = 10_000;
+pub(in crate::cli) const MOST_RUNS: i64 = 10_000;
 
 /// Triangles of the knots that are measured unless others are named.
 const SIZES: [u32; 5] = [1_000, 11_000, 100_000, 1_000_000, 10_000_000];
@@ -69,7 +69,7 @@ pub(in crate::cli) struct BenchArguments {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum BenchBackend {
+pub(in crate::cli) enum BenchBackend {
     /// The best GPU adapter, software Vulkan included, or else the CPU
     Auto,
     /// The CPU reference path
@@ -174,7 +174,7 @@ impl BenchArguments {
     }
 }
 
-fn parse_seconds(text: &str) -> Result<f64, String> {
+pub(in crate::cli) fn parse_seconds(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(seconds) if (0.0..f64::INFINITY).contains(&seconds) => Ok(seconds),
         _ => Err(format!("`{text}` is not a number of seconds")),

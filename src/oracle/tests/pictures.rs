@@ -128,7 +128,7 @@ fn a_tree_is_as_good_from_afar() {
         shapes = shapes.sphere(*center, 1e-4);
     }
     let toward = |center: &[f64; 3]| {
-        let from = n.point(1e5);
+        let from = n.point(1e7);
         ray(from, std::array::from_fn(|axis| center[axis] - from[axis]))
     };
     let rays: Vec<_> = centers.iter().map(toward).collect();
