@@ -2,7 +2,7 @@
 
 // Whether the ray meets the ball after t = 0. As in sphere.wgsl, without the
 // roots; docs/numerics.md derives by how much a ball is larger than what it holds.
-fn meets_ball(ray: Ray, ball: Sphere) -> bool {
+fn meets_ball(ray: Ray, ball: Ball) -> bool {
     let f = ray.origin - ball.center;
     let d = ray.direction;
     let a = dot_product(d, d);

@@ -40,7 +40,7 @@ fn cone_around(a: vec3<real>, b: vec3<real>, c: vec3<real>, d: vec3<real>) -> Co
 }
 
 // Whether a ray of the cone may come near enough to the ball.
-fn cone_meets_ball(cone: Cone, ball: Sphere) -> bool {
+fn cone_meets_ball(cone: Cone, ball: Ball) -> bool {
     let c = ball.center;
     let along = dot_product(cone.axis, c);
     let across = vector_length(cross_product(cone.axis, c));

@@ -11,6 +11,12 @@ struct Camera {
 struct Sphere {
     center: vec3<real>,
     radius: real,
+    power: real,
+}
+
+struct Ball {
+    center: vec3<real>,
+    radius: real,
 }
 
 struct Plane {

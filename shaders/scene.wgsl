@@ -33,7 +33,7 @@ fn volume_at(entry: u32) -> Volume {
 }
 
 // The bounding ball in a row of the table.
-fn ball_at(row: u32) -> Sphere {
+fn ball_at(row: u32) -> Ball {
     let quad = reals_at(tables.balls, row);
-    return Sphere(quad.xyz, quad.w);
+    return Ball(quad.xyz, quad.w);
 }

@@ -4,18 +4,22 @@
 // The smallest t > 0 at which the ray meets the sphere, or MISS.
 //
 // The discriminant is taken at the ray's point nearest to the centre, where
-// nothing large cancels, and the small root comes from the large one.
+// nothing large cancels, and the small root comes from the large one. Near the surface
+// of a large sphere, see near_spheres_on.wgsl.
 fn intersect_sphere(ray: Ray, sphere: Sphere) -> real {
     let f = ray.origin - sphere.center;
     let d = ray.direction;
     let a = dot_product(d, d);
     let b = -dot_product(f, d);
+    let c = sphere_power(ray.origin, sphere);
     let l = f + d * divide(b, a);
-    let discriminant = sphere.radius * sphere.radius - dot_product(l, l);
+    var discriminant = sphere.radius * sphere.radius - dot_product(l, l);
+    if is_near(sphere) {
+        discriminant = divide(b * b - a * c, a);
+    }
     if discriminant < 0.0 {
         return MISS;
     }
-    let c = dot_product(f, f) - sphere.radius * sphere.radius;
     let q = b + copy_sign(square_root(a * discriminant), b);
     if q == 0.0 {
         return MISS;
@@ -48,7 +52,10 @@ fn sphere_normal(ray: Ray, sphere: Sphere, t: real) -> vec3<real> {
     return unit_vector(l + d * copy_sign(half_chord, t - middle));
 }
 
-// The point of the sphere under the outward unit normal.
-fn sphere_point(sphere: Sphere, normal: vec3<real>) -> vec3<real> {
+// The point of the sphere that is met at `t`, under the outward unit normal.
+fn sphere_point(ray: Ray, sphere: Sphere, normal: vec3<real>, t: real) -> vec3<real> {
+    if is_near(sphere) {
+        return ray.origin + ray.direction * t;
+    }
     return sphere.center + normal * sphere.radius;
 }

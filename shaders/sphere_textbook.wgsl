@@ -28,7 +28,7 @@ fn sphere_normal(ray: Ray, sphere: Sphere, t: real) -> vec3<real> {
     return from_center * divide(1.0, sphere.radius);
 }
 
-// The point of the sphere under the outward normal.
-fn sphere_point(sphere: Sphere, normal: vec3<real>) -> vec3<real> {
+// The point of the sphere that is met at `t`, under the outward normal.
+fn sphere_point(ray: Ray, sphere: Sphere, normal: vec3<real>, t: real) -> vec3<real> {
     return sphere.center + normal * sphere.radius;
 }

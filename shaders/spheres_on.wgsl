@@ -2,8 +2,8 @@
 
 // The sphere in a row of the table.
 fn sphere_at(row: u32) -> Sphere {
-    let quad = reals_at(tables.spheres, row);
-    return Sphere(quad.xyz, quad.w);
+    let quad = reals_at(tables.spheres, 2u * row);
+    return Sphere(quad.xyz, quad.w, reals_at(tables.spheres, 2u * row + 1u).x);
 }
 
 // Tests the sphere in a row of the table.
@@ -32,6 +32,6 @@ fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     }
     let sphere = sphere_at(hit.row);
     let normal = sphere_normal(ray, sphere, hit.t);
-    (*surface).position = vec3<f32>(sphere_point(sphere, normal));
+    (*surface).position = vec3<f32>(sphere_point(ray, sphere, normal, hit.t));
     (*surface).normal = vec3<f32>(face_viewer(normal, ray.direction));
 }

@@ -1,6 +1,10 @@
 // Where a ray meets a triangle, and how far that may be off. The formulas are those of
 // triangle.wgsl; the bounds are derived in docs/numerics.md.
 
+// The error of a sheared corner, in parts of how far the corners are and how far the ray's
+// start is from the camera: at most 27 roundings, 21 of them of the shear.
+const TRIANGLE_ERROR: f32 = 30.0 / 16777216.0;
+
 // The smallest of three numbers.
 fn least_of(a: real, b: real, c: real) -> real {
     let ab = select(b, a, a < b);
@@ -32,12 +36,17 @@ fn bound_triangle(probe: Probe, triangle: Triangle) -> Meeting {
 
     // By how much the sheared corners may be off, and by that the edge functions.
     let farthest = greatest_of(taxicab_length(a), taxicab_length(b), taxicab_length(c));
-    let error = (farthest + 2.0 * taxicab_length(origin)) * ERROR;
-    let across = (abs(ax) + abs(ay)) + (abs(bx) + abs(by)) + (abs(cx) + abs(cy));
-    let slack = (across + 2.0 * error) * error;
-    let least = least_of(u, v, w);
-    let greatest = greatest_of(u, v, w);
-    if least < -slack && greatest > slack {
+    let error = (farthest + 2.0 * taxicab_length(origin)) * TRIANGLE_ERROR;
+    let twice = 2.0 * error;
+    let a_size = abs(ax) + abs(ay);
+    let b_size = abs(bx) + abs(by);
+    let c_size = abs(cx) + abs(cy);
+    let u_slack = ((b_size + c_size) + twice) * error;
+    let v_slack = ((c_size + a_size) + twice) * error;
+    let w_slack = ((a_size + b_size) + twice) * error;
+    let negative = u < -u_slack || v < -v_slack || w < -w_slack;
+    let positive = u > u_slack || v > v_slack || w > w_slack;
+    if negative && positive {
         return certain_meeting(MISS);
     }
 
@@ -51,7 +60,9 @@ fn bound_triangle(probe: Probe, triangle: Triangle) -> Meeting {
     if last + error < 0.0 {
         return certain_meeting(MISS);
     }
-    if least <= slack && greatest >= -slack {
+    let all_negative = u < -u_slack && v < -v_slack && w < -w_slack;
+    let all_positive = u > u_slack && v > v_slack && w > w_slack;
+    if !(all_negative || all_positive) {
         return doubtful_meeting(divide(first - error, size));
     }
     let determinant = (u + v) + w;
@@ -61,7 +72,7 @@ fn bound_triangle(probe: Probe, triangle: Triangle) -> Meeting {
         divide(w, determinant),
     );
     let t = divide(dot_product(weights, vec3<real>(a.z, b.z, c.z)), shear.z);
-    let weight_error = divide(slack * 8.0, abs(determinant));
+    let weight_error = divide(((u_slack + v_slack) + w_slack) * 2.0, abs(determinant));
     let in_range = select(last - first, (last - first) * weight_error, weight_error < 1.0);
     return meeting_within(t, divide(in_range + error, size));
 }

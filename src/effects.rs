@@ -184,6 +184,12 @@ pub const EFFECTS: &[Effect] = &[
         off: &[file!("spheres_off.wgsl")],
     },
     Effect {
+        name: "near spheres",
+        called_for: |counts| counts.near_spheres > 0,
+        on: &[file!("near_spheres_on.wgsl")],
+        off: &[file!("near_spheres_off.wgsl")],
+    },
+    Effect {
         name: "planes",
         called_for: |counts| counts.planes > 0,
         on: &[

@@ -8,10 +8,12 @@ use std::sync::OnceLock;
 use serde::Serialize;
 
 use crate::bounds::screen::tile_masks;
+use crate::flatten::camera_power;
+use crate::kernel::near_spheres::is_near;
 use crate::kernel::real::Real;
 use crate::layout::{
-    BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane, QUAD, Sphere,
-    Surroundings, Volume,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane,
+    QUAD, Sphere, Surroundings, Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -67,7 +69,7 @@ pub struct Flat<R> {
     /// A list of volumes and of what they hold; empty where there is none.
     pub volumes: Vec<Volume>,
     /// The volumes that are balls.
-    pub balls: Vec<Sphere<R>>,
+    pub balls: Vec<BallRecord<R>>,
     /// The volumes that are boxes.
     pub boxes: Vec<BoxRecord>,
     /// Words of a tile's mask; 0 where the screen is not divided.
@@ -95,7 +97,7 @@ pub struct Part<R> {
 #[derive(Debug, Clone, Copy)]
 pub enum GivenBound<R> {
     /// A ball.
-    Ball(Sphere<R>),
+    Ball(BallRecord<R>),
     /// A box.
     Box(BoxRecord),
 }
@@ -143,10 +145,14 @@ impl<R> Flat<R> {
     }
 
     /// How many there are of each kind of thing.
-    pub fn counts(&self) -> Counts {
+    pub fn counts(&self) -> Counts
+    where
+        R: Real,
+    {
         let point_lights = self.surroundings.point_lights as usize;
         Counts {
             spheres: self.spheres.len(),
+            near_spheres: self.spheres.iter().filter(|sphere| is_near(sphere)).count(),
             planes: self.planes.len(),
             disks: self.disks.len(),
             triangles: self.triangles.len(),
@@ -162,6 +168,18 @@ impl<R> Flat<R> {
         }
     }
 
+    /// Has the camera's powers agree with the spheres' numbers as they are now, rounded.
+    pub fn take_powers_anew(&mut self)
+    where
+        R: Real,
+    {
+        for sphere in &mut self.spheres {
+            let center = sphere.center.map(R::to_f64);
+            let power = camera_power(center, sphere.radius.to_f64());
+            sphere.power = power.map_or(R::MISS, R::from_f64);
+        }
+    }
+
     /// Bytes of the scene as the shaders read it, in quads, and in this width.
     pub fn bytes(&self) -> u64
     where
@@ -170,7 +188,7 @@ impl<R> Flat<R> {
         let quad = QUAD * size_of::<f32>();
         let words = |count: usize| (count * size_of::<u32>()).next_multiple_of(quad);
         let reals = |fours: usize| fours * quad * R::WIDTH.parts();
-        let bytes = reals(self.spheres.len())
+        let bytes = reals(2 * self.spheres.len())
             + words(self.sphere_ids.len())
             + reals(2 * self.planes.len())
             + reals(2 * self.disks.len())
@@ -199,6 +217,9 @@ impl<R> Flat<R> {
 pub struct Counts {
     /// Spheres.
     pub spheres: usize,
+    /// Those of them near whose surface the camera is.
+    #[serde(skip)]
+    pub near_spheres: usize,
     /// Planes.
     pub planes: usize,
     /// Disks.

@@ -14,12 +14,16 @@ use glam::{DMat3, DVec3};
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::real::Real;
 use crate::layout::{
-    BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere,
     Surroundings,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, GroupBound, Light, PixelSampling, Scene, Shape, Transform,
 };
+
+/// The power of the camera, in parts of a sphere's square radius, below which the camera is
+/// near: what f32 computes of it then lacks two bits and more.
+const NEAR: f64 = 0.25;
 
 /// Flattens a valid scene (see [`Scene::validate`]).
 pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
@@ -160,9 +164,13 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, eye: DVec3) {
     match &shape.geometry {
         Geometry::Sphere { center, radius } => {
             flat.sphere_ids.push(flat.primitives());
+            let center = place(*center, transform, eye);
+            let radius = radius * uniform_scale(transform);
             flat.spheres.push(Sphere {
-                center: real_vector(place(*center, transform, eye)),
-                radius: R::from_f64(radius * uniform_scale(transform)),
+                center: real_vector(center),
+                radius: R::from_f64(radius),
+                power: camera_power(center.to_array(), radius).map_or(R::MISS, R::from_f64),
+                padding: [R::ZERO; 3],
             });
         }
         Geometry::Plane { point, normal } => {
@@ -203,6 +211,23 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, eye: DVec3) {
     flat.material_indices.push(shape.material as u32);
 }
 
+/// |center|^2 - radius^2 where it is much smaller than its terms: where the camera is near
+/// the surface. It is summed with the errors of its products, so that f64 has it whole.
+pub(crate) fn camera_power([x, y, z]: [f64; 3], radius: f64) -> Option<f64> {
+    let terms = [(x, x), (y, y), (z, z), (-radius, radius)];
+    let products = terms.map(|(a, b)| a * b);
+    let errors = terms.map(|(a, b)| a.mul_add(b, -(a * b)));
+    let (mut power, mut rest) = (0.0, 0.0);
+    for product in products {
+        let sum: f64 = power + product;
+        let part = sum - power;
+        rest += (power - (sum - part)) + (product - part);
+        power = sum;
+    }
+    power += rest + errors.iter().sum::<f64>();
+    (power.abs() < radius * radius * NEAR).then_some(power)
+}
+
 /// The groups of the scene, then its meshes. `ids` tells those of each shape.
 fn parts<R: Real>(scene: &Scene, ids: &[Range<u32>]) -> Vec<Part<R>> {
     let eye = scene.camera.eye;
@@ -238,7 +263,7 @@ fn parts<R: Real>(scene: &Scene, ids: &[Range<u32>]) -> Vec<Part<R>> {
 fn given_bound<R: Real>(bound: GroupBound, eye: DVec3) -> Option<GivenBound<R>> {
     match bound {
         GroupBound::Auto => None,
-        GroupBound::Ball { center, radius } => Some(GivenBound::Ball(Sphere {
+        GroupBound::Ball { center, radius } => Some(GivenBound::Ball(BallRecord {
             center: real_vector(center - eye),
             radius: R::from_f64(radius),
         })),

@@ -65,6 +65,19 @@ real_records! {
         center: [R; 3],
         /// Greater than 0.
         radius: R,
+        /// |center|^2 - radius^2, of the numbers before they were rounded, where the
+        /// camera is near the surface; else `MISS`.
+        power: R,
+        /// Unused.
+        padding: [R; 3],
+    }
+
+    /// All points within `radius` of `center`: a bounding volume.
+    "Ball" BallRecord {
+        /// Camera-relative.
+        center: [R; 3],
+        /// Greater than 0.
+        radius: R,
     }
 
     /// An infinite plane.
@@ -105,6 +118,18 @@ real_records! {
         c: [R; 3],
         /// Unused.
         padding_2: R,
+    }
+}
+
+impl<R: Real> Sphere<R> {
+    /// A sphere that the camera is not near.
+    pub fn new(center: [R; 3], radius: R) -> Self {
+        Self {
+            center,
+            radius,
+            power: R::MISS,
+            padding: [R::ZERO; 3],
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::flat::Flat;
 use crate::kernel::aabb::Aabb;
 use crate::kernel::real::Real;
 use crate::kernel::triangles::triangle_of;
-use crate::layout::{BoxRecord, Sphere};
+use crate::layout::{BallRecord, BoxRecord};
 
 /// A ball's padding in parts of its reach, the distance of its farthest point from the
 /// camera: the error with which a shape's test accepts a ray, at most 16 roundings of
@@ -76,11 +76,11 @@ impl Held {
     }
 
     /// The tight ball of primitives, padded.
-    pub(super) fn ball_of<R: Real>(&self, ids: &[u32]) -> Sphere<R> {
+    pub(super) fn ball_of<R: Real>(&self, ids: &[u32]) -> BallRecord<R> {
         let items: Vec<Ball> = self.balls_of(ids).copied().collect();
         let (center, _) = bounding_ball(&items).unwrap_or_default();
         let center = center.to_array().map(R::from_f64);
-        Sphere {
+        BallRecord {
             center,
             radius: R::from_f64(padded(self.radius_around(center, ids), center)),
         }
@@ -89,7 +89,7 @@ impl Held {
     /// A ball that the scene gives: as it is where it holds its primitives with what
     /// rounding needs, a little larger where it just holds them, and as it is where it
     /// does not: then it cuts the picture, as it says.
-    pub(super) fn settle_ball<R: Real>(&self, given: Sphere<R>, ids: &[u32]) -> Sphere<R> {
+    pub(super) fn settle_ball<R: Real>(&self, given: BallRecord<R>, ids: &[u32]) -> BallRecord<R> {
         let radius = self.radius_around(given.center, ids);
         let needed = padded(radius, given.center);
         let own = f64::from(given.radius.to_f32());
@@ -97,7 +97,7 @@ impl Held {
         if own >= needed || own + slack < radius {
             return given;
         }
-        Sphere {
+        BallRecord {
             radius: R::from_f64(needed),
             ..given
         }

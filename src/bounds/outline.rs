@@ -12,14 +12,14 @@ use crate::kernel::probe::{Probe, probe_of};
 use crate::kernel::real::Real;
 use crate::kernel::tree::children_of;
 use crate::kernel::vector::Vec3;
-use crate::layout::{BOX, EVERYTHING, LEAF, Sphere};
+use crate::layout::{BOX, BallRecord, EVERYTHING, LEAF};
 
 /// Volumes whose outlines are drawn at most: more would hide the picture.
 const MOST: usize = 100;
 
 /// A volume to be drawn.
 enum Shown<R> {
-    Ball(Sphere<R>),
+    Ball(BallRecord<R>),
     Box(Aabb),
 }
 

@@ -6,7 +6,7 @@ use super::held::Held;
 use super::nesting::Nesting;
 use crate::flat::{Flat, GivenBound};
 use crate::kernel::real::Real;
-use crate::layout::{BOX, BoxRecord, EVERYTHING, LEAF_KIND, Sphere, Volume};
+use crate::layout::{BOX, BallRecord, BoxRecord, EVERYTHING, LEAF_KIND, Volume};
 
 /// Which volumes a list has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,7 +60,7 @@ struct List<'a, R> {
     listing: Listing,
     entries: Vec<Volume>,
     ids: Vec<u32>,
-    balls: Vec<Sphere<R>>,
+    balls: Vec<BallRecord<R>>,
     boxes: Vec<BoxRecord>,
 }
 

@@ -1,9 +1,9 @@
 //! Up to four triangles that are tested at once.
 
 use crate::flat::Flat;
-use crate::kernel::doubt::ERROR;
 use crate::kernel::probe::Probe;
 use crate::kernel::real::{Real, constant};
+use crate::kernel::triangle_bounded::TRIANGLE_ERROR;
 use crate::kernel::triangle_textbook::EDGE_ON;
 use crate::kernel::triangles::triangle_of;
 use crate::kernel::vector::taxicab_length;
@@ -114,15 +114,18 @@ impl<R: Real> Block<R> {
             let (v_left, v_right) = (ax[lane] * cy[lane], ay[lane] * cx[lane]);
             let (w_left, w_right) = (bx[lane] * ay[lane], by[lane] * ax[lane]);
             let (negative, positive) = if R::FORMULAS == Formulas::Bounded {
-                let error = (distance[lane] + beyond) * constant(ERROR);
-                let across = (ax[lane].abs() + ay[lane].abs())
-                    + (bx[lane].abs() + by[lane].abs())
-                    + (cx[lane].abs() + cy[lane].abs());
-                let slack = (across + R::TWO * error) * error;
+                let error = (distance[lane] + beyond) * constant(TRIANGLE_ERROR);
+                let twice = R::TWO * error;
+                let a_size = ax[lane].abs() + ay[lane].abs();
+                let b_size = bx[lane].abs() + by[lane].abs();
+                let c_size = cx[lane].abs() + cy[lane].abs();
+                let u_slack = ((b_size + c_size) + twice) * error;
+                let v_slack = ((c_size + a_size) + twice) * error;
+                let w_slack = ((a_size + b_size) + twice) * error;
                 let [u, v, w] = [u_left - u_right, v_left - v_right, w_left - w_right];
                 (
-                    (u < -slack) | (v < -slack) | (w < -slack),
-                    (u > slack) | (v > slack) | (w > slack),
+                    (u < -u_slack) | (v < -v_slack) | (w < -w_slack),
+                    (u > u_slack) | (v > v_slack) | (w > w_slack),
                 )
             } else {
                 (

@@ -15,7 +15,6 @@ use crate::kernel::doubt::is_in_doubt;
 use crate::kernel::hit::{Hit, no_hit};
 use crate::kernel::probe::probe_of;
 use crate::kernel::real::Real;
-use crate::kernel::vector::{Vec3, vec3};
 use crate::tier::Bounded;
 
 /// Finds the closest hit of each ray, in numbers of one kind.
@@ -81,18 +80,6 @@ pub fn trace_adaptively(
 
 fn search_ray<R: Real>(search: &mut Search<'_, R>, ray: &Ray<f32>) -> Hit<R> {
     let mut hit = no_hit();
-    search.closest(probe_of(in_width(ray)), &mut hit);
+    search.closest(probe_of(ray.converted()), &mut hit);
     hit
-}
-
-/// The same ray in numbers of another kind.
-pub fn in_width<R: Real>(ray: &Ray<f32>) -> Ray<R> {
-    let real = |v: Vec3<f32>| {
-        let [x, y, z] = <[f32; 3]>::from(v).map(|number| R::from_f64(f64::from(number)));
-        vec3(x, y, z)
-    };
-    Ray {
-        origin: real(ray.origin),
-        direction: real(ray.direction),
-    }
 }

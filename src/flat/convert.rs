@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use super::{Flat, GivenBound, Part};
 use crate::kernel::real::Real;
-use crate::layout::{CameraRecord, Disk, Plane, Sphere};
+use crate::layout::{BallRecord, CameraRecord, Disk, Plane, Sphere};
 
 impl<R: Real> Flat<R> {
     /// The scene with each number rounded to, or widened to, another width: the same rows,
@@ -34,7 +34,7 @@ impl<R: Real> Flat<R> {
             vertex_normals: self.vertex_normals.clone(),
             parts: self.parts.iter().map(convert_part).collect(),
             volumes: self.volumes.clone(),
-            balls: self.balls.iter().map(convert_sphere).collect(),
+            balls: self.balls.iter().map(convert_ball).collect(),
             boxes: self.boxes.clone(),
             tile_words: self.tile_words,
             tile_masks: OnceLock::new(),
@@ -48,9 +48,19 @@ fn convert<R: Real, S: Real>(number: R) -> S {
 }
 
 fn convert_sphere<R: Real, S: Real>(sphere: &Sphere<R>) -> Sphere<S> {
+    let far = sphere.power >= R::MISS;
     Sphere {
         center: sphere.center.map(convert),
         radius: convert(sphere.radius),
+        power: if far { S::MISS } else { convert(sphere.power) },
+        padding: [S::ZERO; 3],
+    }
+}
+
+fn convert_ball<R: Real, S: Real>(ball: &BallRecord<R>) -> BallRecord<S> {
+    BallRecord {
+        center: ball.center.map(convert),
+        radius: convert(ball.radius),
     }
 }
 
@@ -77,7 +87,7 @@ fn convert_part<R: Real, S: Real>(part: &Part<R>) -> Part<S> {
         parent: part.parent,
         is_mesh: part.is_mesh,
         given: part.given.map(|given| match given {
-            GivenBound::Ball(ball) => GivenBound::Ball(convert_sphere(&ball)),
+            GivenBound::Ball(ball) => GivenBound::Ball(convert_ball(&ball)),
             GivenBound::Box(record) => GivenBound::Box(record),
         }),
         ids: part.ids.clone(),

@@ -14,6 +14,20 @@ pub struct Ray<R> {
     pub direction: Vec3<R>,
 }
 
+impl<R: Real> Ray<R> {
+    /// The same ray in numbers of another kind.
+    pub fn converted<S: Real>(self) -> Ray<S> {
+        let convert = |v: Vec3<R>| {
+            let [x, y, z] = <[R; 3]>::from(v).map(|number| S::from_f64(number.to_f64()));
+            vec3(x, y, z)
+        };
+        Ray {
+            origin: convert(self.origin),
+            direction: convert(self.direction),
+        }
+    }
+}
+
 /// `at` as a fraction of half the size: -1 at the near edge, 1 at the far edge.
 ///
 /// `pixel` + `offset` and the difference below are exact for sizes under 2^23,

@@ -3,7 +3,7 @@
 use super::divide::{divide, square_root};
 use super::real::{Real, constant};
 use super::vector::{Vec3, cross_product, dot_product, unit_vector, vector_length};
-use crate::layout::Sphere;
+use crate::layout::BallRecord;
 
 /// The sine from which on a cone is so wide that it meets everything.
 pub const WIDE: f32 = 0.7;
@@ -58,7 +58,7 @@ pub fn cone_around<R: Real>(a: Vec3<R>, b: Vec3<R>, c: Vec3<R>, d: Vec3<R>) -> C
 }
 
 /// Whether a ray of the cone may come near enough to the ball.
-pub fn cone_meets_ball<R: Real>(cone: &Cone<R>, ball: &Sphere<R>) -> bool {
+pub fn cone_meets_ball<R: Real>(cone: &Cone<R>, ball: &BallRecord<R>) -> bool {
     let c = Vec3::from(ball.center);
     let along = dot_product(cone.axis, c);
     let across = vector_length(cross_product(cone.axis, c));

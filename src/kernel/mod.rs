@@ -26,6 +26,7 @@ pub mod divide;
 pub mod doubt;
 pub mod hit;
 pub mod lambert;
+pub mod near_spheres;
 pub mod own_box;
 pub mod plane;
 pub mod plane_bounded;

@@ -3,6 +3,7 @@
 
 use super::camera::Ray;
 use super::divide::{divide, square_root};
+use super::near_spheres::{is_near, sphere_power};
 use super::real::{Real, copy_sign};
 use super::vector::{Vec3, dot_product, unit_vector};
 use crate::layout::Sphere;
@@ -10,18 +11,22 @@ use crate::layout::Sphere;
 /// The smallest t > 0 at which the ray meets the sphere, or `MISS`.
 ///
 /// The discriminant is taken at the ray's point nearest to the centre, where
-/// nothing large cancels, and the small root comes from the large one.
+/// nothing large cancels, and the small root comes from the large one. Near the surface
+/// of a large sphere, see [`super::near_spheres`].
 pub fn intersect_sphere<R: Real>(ray: Ray<R>, sphere: &Sphere<R>) -> R {
     let f = ray.origin - Vec3::from(sphere.center);
     let d = ray.direction;
     let a = dot_product(d, d);
     let b = -dot_product(f, d);
+    let c = sphere_power(ray.origin, sphere);
     let l = f + d * divide(b, a);
-    let discriminant = sphere.radius * sphere.radius - dot_product(l, l);
+    let mut discriminant = sphere.radius * sphere.radius - dot_product(l, l);
+    if is_near(sphere) {
+        discriminant = divide(b * b - a * c, a);
+    }
     if discriminant < R::ZERO {
         return R::MISS;
     }
-    let c = dot_product(f, f) - sphere.radius * sphere.radius;
     let q = b + copy_sign(square_root(a * discriminant), b);
     if q == R::ZERO {
         return R::MISS;
@@ -54,7 +59,10 @@ pub fn sphere_normal<R: Real>(ray: Ray<R>, sphere: &Sphere<R>, t: R) -> Vec3<R> 
     unit_vector(l + d * copy_sign(half_chord, t - middle))
 }
 
-/// The point of the sphere under the outward unit normal.
-pub fn sphere_point<R: Real>(sphere: &Sphere<R>, normal: Vec3<R>) -> Vec3<R> {
+/// The point of the sphere that is met at `t`, under the outward unit normal.
+pub fn sphere_point<R: Real>(ray: Ray<R>, sphere: &Sphere<R>, normal: Vec3<R>, t: R) -> Vec3<R> {
+    if is_near(sphere) {
+        return ray.origin + ray.direction * t;
+    }
     Vec3::from(sphere.center) + normal * sphere.radius
 }

@@ -34,7 +34,7 @@ pub fn sphere_normal<R: Real>(ray: Ray<R>, sphere: &Sphere<R>, t: R) -> Vec3<R> 
     from_center * divide(constant(1.0), sphere.radius)
 }
 
-/// The point of the sphere under the outward normal.
-pub fn sphere_point<R: Real>(sphere: &Sphere<R>, normal: Vec3<R>) -> Vec3<R> {
+/// The point of the sphere that is met at `t`, under the outward normal.
+pub fn sphere_point<R: Real>(_ray: Ray<R>, sphere: &Sphere<R>, normal: Vec3<R>, _t: R) -> Vec3<R> {
     Vec3::from(sphere.center) + normal * sphere.radius
 }

@@ -39,12 +39,19 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
         return None;
     }
     let sphere = &flat.spheres[hit.row as usize];
-    let normal = match R::FORMULAS {
-        Formulas::Textbook => sphere_textbook::sphere_normal(ray, sphere, hit.t),
-        _ => sphere::sphere_normal(ray, sphere, hit.t),
+    let (normal, position) = match R::FORMULAS {
+        Formulas::Textbook => {
+            let normal = sphere_textbook::sphere_normal(ray, sphere, hit.t);
+            let point = sphere_textbook::sphere_point(ray, sphere, normal, hit.t);
+            (normal, point)
+        }
+        _ => {
+            let normal = sphere::sphere_normal(ray, sphere, hit.t);
+            (normal, sphere::sphere_point(ray, sphere, normal, hit.t))
+        }
     };
     Some(Surface {
-        position: sphere::sphere_point(sphere, normal).to_f32(),
+        position: position.to_f32(),
         normal: face_viewer(normal, ray.direction).to_f32(),
     })
 }

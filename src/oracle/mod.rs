@@ -10,8 +10,7 @@
 //! arithmetic. [`shape`] has the formulas, once, over a [`number`]; [`filter`], [`double`]
 //! and [`exact`] are the widths; [`mod@distance`] compares hits; [`search`] takes the
 //! cheapest width that decides; [`mod@walk`] goes through the tree, if there is one;
-//! [`margin`] tells how near a decision is to turning. [`mod@widen`] gives it the numbers of
-//! a tracer in f32.
+//! [`margin`] tells how near a decision is to turning.
 
 pub mod distance;
 pub mod double;
@@ -22,7 +21,6 @@ pub mod number;
 pub mod search;
 pub mod shape;
 pub mod walk;
-pub mod widen;
 
 #[cfg(test)]
 mod tests;

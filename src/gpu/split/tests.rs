@@ -172,7 +172,7 @@ fn on_cpu<R: Real>(inputs: &[R]) -> (Vec<R>, [usize; 2]) {
             direction: Vec3::from(vector(3)),
         };
         let (center, radius) = (vector(6), input[9]);
-        let sphere = Sphere { center, radius };
+        let sphere = Sphere::new(center, radius);
         let triangle = Triangle {
             a: vector(10),
             b: vector(13),

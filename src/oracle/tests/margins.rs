@@ -12,7 +12,6 @@ use crate::kernel::trace::find_hit;
 use crate::kernel::vector::{Vec3, vector_length};
 use crate::layout::NO_HIT;
 use crate::oracle::Oracle;
-use crate::oracle::widen::{widen, widen_ray};
 use crate::scene::Scene;
 
 /// Within what margin a kernel in f32 may err: eight of its roundings.
@@ -144,13 +143,13 @@ fn the_kernel_in_f32_errs_on_small_margins_only() {
     let knot = Scene::load("assets/scenes/knot.toml").unwrap();
     let mut narrow: Flat<f32> = flatten(&knot);
     bound(&mut narrow, Bounds::Tree);
-    let wide = widen(&narrow);
+    let wide = narrow.converted::<f64>();
     let oracle = Oracle::new(&wide);
     let (mut errs, mut large) = (0, 0);
     for ray in rays_at(&narrow) {
         let mut hit = no_hit();
         find_hit(&narrow, probe_of(ray), &mut hit);
-        let truth = oracle.closest(widen_ray(ray));
+        let truth = oracle.closest(ray.converted::<f64>());
         large += u32::from(truth.margin > F32_MARGIN);
         if hit.id != truth.id {
             errs += 1;
@@ -169,11 +168,11 @@ fn what_f32_was_given_is_not_what_f64_was() {
         .with_size(50, 50);
     let mut narrow: Flat<f32> = flatten(&knot);
     bound(&mut narrow, Bounds::Tree);
-    let (wide, other) = (widen(&narrow), with_tree(&flatten(&knot)));
+    let (wide, other) = (narrow.converted::<f64>(), with_tree(&flatten(&knot)));
     let (mut same, mut all) = (0, 0);
     for y in 0..50 {
         for x in 0..50 {
-            let ray = widen_ray(camera_ray(&narrow.camera, narrow.size, x, y));
+            let ray = camera_ray(&narrow.camera, narrow.size, x, y).converted::<f64>();
             let of_f32 = Oracle::new(&wide).closest(ray);
             let of_f64 = Oracle::new(&other).closest(camera_ray(&other.camera, other.size, x, y));
             if of_f32.id != NO_HIT && of_f64.id != NO_HIT {

@@ -1,0 +1,21 @@
+// Spheres near whose surface the camera is, such as a planet under it.
+//
+// The power of a point is |p - c|^2 - r^2. There, two large squares almost cancel, and
+// with them what f32 knows of the height above the surface. So the host computes the
+// camera's own power before it rounds; from a point elsewhere, what is to be added has
+// the size of the way there.
+
+// Whether the camera's power is known.
+fn is_near(sphere: Sphere) -> bool {
+    return sphere.power < MISS;
+}
+
+// The power of a ray's origin.
+fn sphere_power(origin: vec3<real>, sphere: Sphere) -> real {
+    if is_near(sphere) {
+        let way = dot_product(origin, origin) - 2.0 * dot_product(origin, sphere.center);
+        return way + sphere.power;
+    }
+    let f = origin - sphere.center;
+    return dot_product(f, f) - sphere.radius * sphere.radius;
+}
