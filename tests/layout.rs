@@ -10,8 +10,9 @@ use rayproof::kernel::own_box::{PADDING, SLACK};
 use rayproof::kernel::plane_bounded::PLANE_ERROR;
 use rayproof::kernel::plane_textbook::PARALLEL;
 use rayproof::kernel::screen::WORD;
-use rayproof::kernel::sphere_bounded::{RADIUS_ERROR, SQUARE_ERROR};
+use rayproof::kernel::sphere_bounded::{NEAR_ERROR, RADIUS_ERROR, SQUARE_ERROR};
 use rayproof::kernel::tree::{MOST_VISITS, STACK};
+use rayproof::kernel::triangle_bounded::TRIANGLE_ERROR;
 use rayproof::kernel::triangle_textbook::EDGE_ON;
 use rayproof::layout::*;
 use rayproof::tier::{Formulas, Width};
@@ -54,6 +55,7 @@ fn host_structs_lie_as_the_shaders_read_them() {
     let mismatches: Vec<String> = [
         mismatch::<CameraRecord<f32>>(&program),
         mismatch::<Sphere<f32>>(&program),
+        mismatch::<BallRecord<f32>>(&lists),
         mismatch::<Plane<f32>>(&program),
         mismatch::<Disk<f32>>(&program),
         mismatch::<Triangle<f32>>(&program),
@@ -83,7 +85,7 @@ fn no_struct_is_left_out() {
         text.lines()
             .filter(|line| line.starts_with("struct "))
             .count(),
-        16
+        17
     );
 }
 
@@ -261,6 +263,7 @@ fn constants_are_the_hosts() {
     let plane_bounded = include_str!("../shaders/plane_bounded.wgsl");
     let plane_textbook = include_str!("../shaders/plane_textbook.wgsl");
     let sphere_bounded = include_str!("../shaders/sphere_bounded.wgsl");
+    let triangle_bounded = include_str!("../shaders/triangle_bounded.wgsl");
     let triangle_textbook = include_str!("../shaders/triangle_textbook.wgsl");
     for (shader, name, value) in [
         (aabb, "HUGE", HUGE),
@@ -274,6 +277,8 @@ fn constants_are_the_hosts() {
         (plane_textbook, "PARALLEL", PARALLEL),
         (sphere_bounded, "SQUARE_ERROR", SQUARE_ERROR),
         (sphere_bounded, "RADIUS_ERROR", RADIUS_ERROR),
+        (sphere_bounded, "NEAR_ERROR", NEAR_ERROR),
+        (triangle_bounded, "TRIANGLE_ERROR", TRIANGLE_ERROR),
         (triangle_textbook, "EDGE_ON", EDGE_ON),
     ] {
         let of_shader = number(shader, name);

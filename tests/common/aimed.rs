@@ -63,6 +63,8 @@ pub fn hard_scene(turned: bool, scale: f64) -> Scene {
     place(sphere(1.0), false, 2.0, -1.0, -7.0);
     place(sphere(0.125), true, 0.0, 0.0, -4.0);
     place(sphere(20.0), false, 0.0, 0.0, -40.0);
+    // The camera is near its surface.
+    place(sphere(500.0), false, 0.0, 505.0, -4.0);
     place(disk(DVec3::Z, 1.0), false, -1.0, -1.0, -5.0);
     place(disk(DVec3::new(1.0, 2.0, 2.0), 0.5), true, 1.0, 1.0, -4.0);
     place(disk(DVec3::Y, 3.0), false, 0.0, -3.0, -6.0);

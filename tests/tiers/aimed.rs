@@ -3,7 +3,6 @@
 use rayproof::accuracy::truth::rounded_rays;
 use rayproof::accuracy::{Truths, Widths};
 use rayproof::bounds::Bounds;
-use rayproof::cpu::rays::in_width;
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten;
 use rayproof::found::Found;
@@ -121,7 +120,7 @@ fn wrong(widths: &Widths, rays: &[Ray<f32>], truths: &[Truth], accuracy: Accurac
 
 /// Errors of the tiers on some rays, by the oracle.
 fn errors(widths: &Widths, rays: &[Ray<f32>]) -> [usize; 5] {
-    let exact: Vec<Ray<f64>> = rays.iter().map(in_width).collect();
+    let exact: Vec<Ray<f64>> = rays.iter().map(|ray| ray.converted()).collect();
     let truths = Truths::of(&widths.double, &exact, &Unwatched).unwrap().0;
     Accuracy::ALL.map(|accuracy| wrong(widths, rays, &truths, accuracy))
 }
