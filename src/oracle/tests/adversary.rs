@@ -30,7 +30,7 @@ pub(super) fn on_adversaries(count: u32, mut check: impl FnMut(&Shape<'_>, Ray<f
         let length = |v: [f64; 3]| v.map(|x| x * x).iter().sum::<f64>().sqrt();
         let radius = length(cross) / length(direction);
         check(
-            &Shape::Sphere(&Sphere { center, radius }),
+            &Shape::Sphere(&Sphere::new(center, radius)),
             ray([0.0; 3], direction),
         );
 

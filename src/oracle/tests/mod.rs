@@ -38,7 +38,7 @@ impl Shapes {
     fn sphere(mut self, center: [f64; 3], radius: f64) -> Self {
         let id = self.next_id();
         self.0.sphere_ids.push(id);
-        self.0.spheres.push(Sphere { center, radius });
+        self.0.spheres.push(Sphere::new(center, radius));
         self
     }
 

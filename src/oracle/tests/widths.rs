@@ -94,10 +94,7 @@ pub(super) fn on_random(count: u32, mut check: impl FnMut(&Shape<'_>, Ray<f64>))
         let offset = n.point(2.0 * size);
         let direction: [f64; 3] =
             std::array::from_fn(|axis| center[axis] + offset[axis] - origin[axis]);
-        let sphere = Sphere {
-            center,
-            radius: size,
-        };
+        let sphere = Sphere::new(center, size);
         let normal = n.point(1.0);
         let plane = Plane {
             point: center,
@@ -160,7 +157,7 @@ fn t_is_as_precise_next_to_a_huge_sphere() {
         let radius = center.map(|x| x * x).iter().sum::<f64>().sqrt() - height;
         let offset = n.point(1e6);
         let direction = std::array::from_fn(|axis| center[axis] + offset[axis]);
-        let sphere = Sphere { center, radius };
+        let sphere = Sphere::new(center, radius);
         let (shape, ray) = (Shape::Sphere(&sphere), ray([0.0; 3], direction));
         if let Outcome::Hit(distance) = shape.decide::<Exact>(ray) {
             hits += 1;
