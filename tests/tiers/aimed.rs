@@ -12,13 +12,10 @@ use rayproof::{Accuracy, Backend, Unwatched};
 
 use super::common::aimed::{AIMS, aimed_rays, hard_scene};
 use super::common::scene;
-use super::{PICTURES, backends, differing_ids, thorough};
+use super::{HARD, PICTURES, backends, differing_ids, thorough};
 
 /// The margin from which on a ray is clear in f64.
 const CLEAR: f64 = 1e-12;
-
-/// Whether the scene is turned, and its scale.
-const SCENES: [(bool, f64); 4] = [(false, 1.0), (true, 1.0), (true, 1e-3), (true, 1e4)];
 
 pub fn hard_flat() -> Flat<f64> {
     flatten(&hard_scene(false, 1.0))
@@ -60,7 +57,7 @@ fn adaptive_finds_what_double_finds() {
     let on_gpu = count.min(250_000);
     let mut differing = 0;
     let mut again = 0;
-    for (turned, scale) in SCENES {
+    for (turned, scale) in HARD {
         let case = format!("turned: {turned}, scale {scale:e}");
         let widths = Widths::of(flatten(&hard_scene(turned, scale)), Bounds::Tree);
         let rays = aimed_rays(&widths.double, count, 42);
@@ -97,7 +94,7 @@ fn both_backends_find_the_same() {
 #[test]
 fn a_tree_changes_no_doubt() {
     let cpu = Backend::Cpu(None);
-    for (turned, scale) in SCENES {
+    for (turned, scale) in HARD {
         let of = |bounds| Widths::of(flatten(&hard_scene(turned, scale)), bounds);
         let [with, without] = [Bounds::Tree, Bounds::None].map(of);
         let rays = aimed_rays(&with.double, 20_000, 5);
@@ -129,7 +126,7 @@ fn errors(widths: &Widths, rays: &[Ray<f32>]) -> [usize; 5] {
 #[test]
 fn no_clear_ray_goes_wrong() {
     let count = if thorough() { 200_000 } else { 5000 };
-    for (turned, scale) in SCENES {
+    for (turned, scale) in HARD {
         let widths = Widths::of(flatten(&hard_scene(turned, scale)), Bounds::Tree);
         let rays = aimed_rays(&widths.double, count, 11);
         let [textbook, robust, _, others @ ..] = errors(&widths, &rays);

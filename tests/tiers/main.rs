@@ -4,6 +4,7 @@
 mod aimed;
 #[path = "../common/mod.rs"]
 mod common;
+mod intervals;
 mod pictures;
 mod refusals;
 mod table;
@@ -22,6 +23,9 @@ const PICTURES: [&str; 8] = [
     "slivers",
     "contact",
 ];
+
+/// Scenes at which rays are aimed: whether the scene is turned, and its scale.
+const HARD: [(bool, f64); 4] = [(false, 1.0), (true, 1.0), (true, 1e-3), (true, 1e4)];
 
 /// Both backends; without a GPU the tests fail.
 fn backends() -> [Backend; 2] {
