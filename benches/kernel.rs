@@ -27,6 +27,7 @@ use rayproof::kernel::trace::find_hit;
 use rayproof::kernel::triangle::intersect_triangle;
 use rayproof::kernel::triangles::triangle_of;
 use rayproof::kernel::vector::Vec3;
+use rayproof::layout::{BallRecord, Sphere};
 
 fn main() {
     divan::main();
@@ -138,9 +139,9 @@ fn triangle<R: Width>(bencher: Bencher<'_, '_>) {
 #[divan::bench(types = [f32, f64])]
 fn bounding_ball<R: Width>(bencher: Bencher<'_, '_>) {
     let flat = R::shapes();
-    each(bencher, flat, |probe| {
-        meets_ball(probe.ray, &flat.spheres[0])
-    });
+    let Sphere { center, radius, .. } = flat.spheres[0];
+    let ball = BallRecord { center, radius };
+    each(bencher, flat, |probe| meets_ball(probe.ray, &ball));
 }
 
 /// In f32 in both widths.

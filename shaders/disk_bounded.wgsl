@@ -1,8 +1,8 @@
 // Where a ray meets a disk, and how far that may be off. The bounds are derived in
 // docs/numerics.md.
 
-// Where the ray meets the disk, within bounds.
-fn meet_disk(probe: Probe, disk: Disk) -> Meeting {
+// Where the ray meets the disk, within bounds, wherever that is.
+fn bound_disk(probe: Probe, disk: Disk) -> Meeting {
     let ray = probe.ray;
     let crossing = bound_crossing(ray, disk.center, disk.normal);
     if crossing.high >= MISS {
@@ -21,4 +21,14 @@ fn meet_disk(probe: Probe, disk: Disk) -> Meeting {
         return doubtful_meeting(crossing.low);
     }
     return crossing;
+}
+
+// Where the ray meets the disk within the disk's own box, within bounds.
+fn meet_disk(probe: Probe, disk: Disk) -> Meeting {
+    let meeting = bound_disk(probe, disk);
+    if meeting.low >= MISS {
+        return meeting;
+    }
+    let own = ball_box(vec3<f32>(disk.center), f32(disk.radius));
+    return meeting_in_box(probe.slabs, own, meeting);
 }

@@ -40,6 +40,23 @@ fn doubtful_meeting(low: real) -> Meeting {
     return Meeting(ahead, ahead, MISS);
 }
 
+// The meeting, as far as it is in the shape's own box.
+//
+// A bound may accept a ray far from the shape, such as one in the plane of a triangle.
+// Which of those are tested would depend on the tree, and with them whether the ray is in
+// doubt. No hit is lost: in f64 too, it counts only in the same box.
+fn meeting_in_box(slabs: Slabs, own: Aabb, meeting: Meeting) -> Meeting {
+    let interval = clip_to_box(slabs, own.low, own.high);
+    if interval.enter > interval.exit {
+        return certain_meeting(MISS);
+    }
+    let enter = real(interval.enter);
+    let low = select(meeting.low, enter, meeting.low < enter);
+    let t = select(meeting.t, low, meeting.t < low);
+    let high = select(meeting.high, t, meeting.high < t);
+    return Meeting(t, low, high);
+}
+
 // Whether a meeting may be the closest. A tie is for `keep_nearer` to settle, by the ids,
 // which are read only now.
 fn may_be_closest(hit: Hit, meeting: Meeting) -> bool {

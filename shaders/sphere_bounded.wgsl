@@ -12,8 +12,8 @@ const RADIUS_ERROR: f32 = 3.25 / 16777216.0;
 // lengths that they are made of: at most 13 roundings, 9 of them the direction's.
 const NEAR_ERROR: f32 = 16.0 / 16777216.0;
 
-// Where the ray meets the sphere, within bounds.
-fn meet_sphere(probe: Probe, sphere: Sphere) -> Meeting {
+// Where the ray meets the sphere, within bounds, wherever that is.
+fn bound_sphere(probe: Probe, sphere: Sphere) -> Meeting {
     let origin = probe.ray.origin;
     let f = origin - sphere.center;
     let d = probe.ray.direction;
@@ -69,4 +69,14 @@ fn meet_sphere(probe: Probe, sphere: Sphere) -> Meeting {
         return meeting_within(far, far_error + abs(far) * ERROR);
     }
     return meeting_within(near, near_error + abs(near) * ERROR);
+}
+
+// Where the ray meets the sphere within the sphere's own box, within bounds.
+fn meet_sphere(probe: Probe, sphere: Sphere) -> Meeting {
+    let meeting = bound_sphere(probe, sphere);
+    if meeting.low >= MISS {
+        return meeting;
+    }
+    let own = ball_box(vec3<f32>(sphere.center), f32(sphere.radius));
+    return meeting_in_box(probe.slabs, own, meeting);
 }

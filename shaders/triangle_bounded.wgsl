@@ -17,8 +17,8 @@ fn greatest_of(a: real, b: real, c: real) -> real {
     return select(c, ab, ab > c);
 }
 
-// Where the ray meets the triangle, within bounds.
-fn meet_triangle(probe: Probe, triangle: Triangle) -> Meeting {
+// Where the ray meets the triangle, within bounds, wherever that is.
+fn bound_triangle(probe: Probe, triangle: Triangle) -> Meeting {
     let origin = probe.ray.origin;
     let shear = probe.shear;
     let a = axis_last(triangle.a - origin, shear.axis);
@@ -75,4 +75,14 @@ fn meet_triangle(probe: Probe, triangle: Triangle) -> Meeting {
     let weight_error = divide(((u_slack + v_slack) + w_slack) * 2.0, abs(determinant));
     let in_range = select(last - first, (last - first) * weight_error, weight_error < 1.0);
     return meeting_within(t, divide(in_range + error, size));
+}
+
+// Where the ray meets the triangle within the triangle's own box, within bounds.
+fn meet_triangle(probe: Probe, triangle: Triangle) -> Meeting {
+    let meeting = bound_triangle(probe, triangle);
+    if meeting.low >= MISS {
+        return meeting;
+    }
+    let own = triangle_box(vec3<f32>(triangle.a), vec3<f32>(triangle.b), vec3<f32>(triangle.c));
+    return meeting_in_box(probe.slabs, own, meeting);
 }

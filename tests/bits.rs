@@ -115,7 +115,7 @@ fn render_in(scene: &Scene, portions: Portions) -> Result<Vec<Pixel>, Error> {
     let mut pixels = Vec::new();
     render(
         &gpu(),
-        &flatten(scene),
+        &flatten::<f32>(scene),
         portions,
         &Unwatched,
         &mut |_, rows| {
@@ -242,7 +242,7 @@ fn a_lost_device_gives_no_picture() {
     let mut rows = 0;
     let outcome = render(
         device,
-        &flatten(&scene),
+        &flatten::<f32>(&scene),
         Portions::default(),
         &watch,
         &mut |_, _| rows += 1,

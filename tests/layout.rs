@@ -1,17 +1,29 @@
 //! Host structs and bindings against naga's reflection of the shaders.
 
-use rayproof::effects::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Fetch, select_files};
+use rayproof::effects::{DIVIDE_NATIVE, Device, Entry, Fetch, select_files};
 use rayproof::gpu::program::{Access, Binding, Program, StructLayout, struct_layout};
+use rayproof::kernel::aabb::HUGE;
 use rayproof::kernel::cone::{CONE_SLACK, WIDE};
+use rayproof::kernel::doubt::{ERROR, WIDE_INTERVAL};
 use rayproof::kernel::hit::GIVEN_UP;
+use rayproof::kernel::own_box::{PADDING, SLACK};
+use rayproof::kernel::plane_bounded::PLANE_ERROR;
+use rayproof::kernel::plane_textbook::PARALLEL;
 use rayproof::kernel::screen::WORD;
+use rayproof::kernel::sphere_bounded::{NEAR_ERROR, RADIUS_ERROR, SQUARE_ERROR};
 use rayproof::kernel::tree::{MOST_VISITS, STACK};
+use rayproof::kernel::triangle_bounded::TRIANGLE_ERROR;
+use rayproof::kernel::triangle_textbook::EDGE_ON;
 use rayproof::layout::*;
+use rayproof::tier::{Formulas, Width};
 
 const NATIVE: Device = Device {
     divide: DIVIDE_NATIVE,
     fetch: Fetch::Storage,
     count: false,
+    formulas: Formulas::Stable,
+    width: Width::Single,
+    entry: Entry::Tile,
 };
 
 fn all_effects() -> Program {
@@ -43,6 +55,7 @@ fn host_structs_lie_as_the_shaders_read_them() {
     let mismatches: Vec<String> = [
         mismatch::<CameraRecord<f32>>(&program),
         mismatch::<Sphere<f32>>(&program),
+        mismatch::<BallRecord<f32>>(&lists),
         mismatch::<Plane<f32>>(&program),
         mismatch::<Disk<f32>>(&program),
         mismatch::<Triangle<f32>>(&program),
@@ -72,7 +85,7 @@ fn no_struct_is_left_out() {
         text.lines()
             .filter(|line| line.starts_with("struct "))
             .count(),
-        16
+        17
     );
 }
 
@@ -115,46 +128,87 @@ fn a_wrong_layout_is_noticed() {
     assert!(mismatch::<Narrow>(&program).is_some());
 }
 
-/// The bindings of a module with all effects. A buffer is bound by its name and
-/// at the number that naga reports, so this table is the only place that repeats
-/// the numbers.
+/// The bindings of the modules with all effects: the pixels of a tile and the rays of a
+/// list, by formulas that bound their error; and those in doubt, in f64. A buffer is bound by
+/// its name and at the number that naga reports, so this table is the only place that
+/// repeats the numbers.
 #[test]
 fn bindings_are_these() {
-    let expected = |access| {
-        [
-            ("dispatch", 0, 0, Access::Uniform),
-            ("camera", 0, 1, Access::Uniform),
-            ("surroundings", 0, 2, Access::Uniform),
-            ("tables", 0, 3, Access::Uniform),
-            ("hits", 0, 4, Access::Write),
-            ("pixels", 0, 5, Access::Write),
-            ("cursors", 0, 6, Access::Write),
-            ("masks", 0, 8, Access::Write),
-            ("split", 0, 9, Access::Uniform),
-            ("scene", 1, 0, access),
-        ]
-        .map(|(name, group, binding, access)| Binding {
-            name: name.to_string(),
-            group,
-            binding,
-            access,
-        })
+    const NUMBERS: [(&str, u32); 13] = [
+        ("dispatch", 0),
+        ("camera", 1),
+        ("surroundings", 2),
+        ("tables", 3),
+        ("hits", 4),
+        ("pixels", 5),
+        ("cursors", 6),
+        ("masks", 8),
+        ("split", 9),
+        ("doubtful", 10),
+        ("bounds", 11),
+        ("rays", 12),
+        ("found", 13),
+    ];
+    let access = |name: &str| match name {
+        "dispatch" | "camera" | "surroundings" | "tables" | "split" => Access::Uniform,
+        "rays" => Access::Read,
+        _ => Access::Write,
     };
-    for (fetch, access) in [
-        (Fetch::Storage, Access::Read),
-        (Fetch::Texture, Access::Texture),
-        (Fetch::Uniform, Access::Uniform),
+    let frame = ["dispatch", "camera", "surroundings", "tables"];
+    let screen = ["masks", "split"];
+    let list = ["rays", "found", "doubtful"];
+    let mut of_tile = frame.to_vec();
+    of_tile.extend(["hits", "pixels", "cursors", "doubtful", "bounds"]);
+    of_tile.extend(screen);
+    let mut of_doubtful = frame.to_vec();
+    of_doubtful.extend(["pixels", "doubtful"]);
+    of_doubtful.extend(screen);
+    // No colours are asked for.
+    let mut of_list = vec!["dispatch", "camera", "tables"];
+    of_list.extend(list);
+    of_list.extend(screen);
+    let (bounded, stable) = (Formulas::Bounded, Formulas::Stable);
+    let (single, double) = (Width::Single, Width::Double);
+    for (entry, formulas, width, names) in [
+        (Entry::Tile, bounded, single, &of_tile),
+        (Entry::DoubtfulPixels, stable, double, &of_doubtful),
+        (Entry::Rays, bounded, single, &of_list),
+        (Entry::DoubtfulRays, stable, double, &of_list),
     ] {
-        let device = Device { fetch, ..NATIVE };
-        let program = Program::build(&select_files(|_| true, device)).unwrap();
-        assert_eq!(program.bindings, expected(access));
-        // SwiftShader binds no more.
-        let storage = program
-            .bindings
-            .iter()
-            .filter(|binding| binding.access != Access::Uniform)
-            .count();
-        assert!(storage <= 10);
+        for (fetch, scene) in [
+            (Fetch::Storage, Access::Read),
+            (Fetch::Texture, Access::Texture),
+            (Fetch::Uniform, Access::Uniform),
+        ] {
+            let device = Device {
+                fetch,
+                formulas,
+                width,
+                entry,
+                ..NATIVE
+            };
+            let program = Program::build(&select_files(|_| true, device)).unwrap();
+            let binding = |name: &str, group, binding, access| Binding {
+                name: name.to_string(),
+                group,
+                binding,
+                access,
+            };
+            let mut expected: Vec<Binding> = NUMBERS
+                .iter()
+                .filter(|(name, _)| names.contains(name))
+                .map(|&(name, number)| binding(name, 0, number, access(name)))
+                .collect();
+            expected.push(binding("scene", 1, 0, scene));
+            assert_eq!(program.bindings, expected, "{entry:?}");
+            // SwiftShader binds no more.
+            let storage = program
+                .bindings
+                .iter()
+                .filter(|binding| binding.access != Access::Uniform)
+                .count();
+            assert!(storage <= 10);
+        }
     }
 }
 
@@ -202,9 +256,32 @@ fn constants_are_the_hosts() {
     ] {
         assert_eq!(constant(shader, name), Some(value), "{name}");
     }
+    let aabb = include_str!("../shaders/aabb.wgsl");
     let cone = include_str!("../shaders/cone.wgsl");
-    for (name, value) in [("WIDE", WIDE), ("CONE_SLACK", CONE_SLACK)] {
-        let of_shader = number(cone, name);
+    let doubt = include_str!("../shaders/doubt_on.wgsl");
+    let own_box = include_str!("../shaders/own_box.wgsl");
+    let plane_bounded = include_str!("../shaders/plane_bounded.wgsl");
+    let plane_textbook = include_str!("../shaders/plane_textbook.wgsl");
+    let sphere_bounded = include_str!("../shaders/sphere_bounded.wgsl");
+    let triangle_bounded = include_str!("../shaders/triangle_bounded.wgsl");
+    let triangle_textbook = include_str!("../shaders/triangle_textbook.wgsl");
+    for (shader, name, value) in [
+        (aabb, "HUGE", HUGE),
+        (cone, "WIDE", WIDE),
+        (cone, "CONE_SLACK", CONE_SLACK),
+        (doubt, "ERROR", ERROR),
+        (doubt, "WIDE_INTERVAL", WIDE_INTERVAL),
+        (own_box, "PADDING", PADDING),
+        (own_box, "SLACK", SLACK),
+        (plane_bounded, "PLANE_ERROR", PLANE_ERROR),
+        (plane_textbook, "PARALLEL", PARALLEL),
+        (sphere_bounded, "SQUARE_ERROR", SQUARE_ERROR),
+        (sphere_bounded, "RADIUS_ERROR", RADIUS_ERROR),
+        (sphere_bounded, "NEAR_ERROR", NEAR_ERROR),
+        (triangle_bounded, "TRIANGLE_ERROR", TRIANGLE_ERROR),
+        (triangle_textbook, "EDGE_ON", EDGE_ON),
+    ] {
+        let of_shader = number(shader, name);
         assert_eq!(of_shader, Some(value), "{name}");
         assert_ne!(of_shader, Some(value.next_up()), "the control: {name}");
     }
@@ -214,72 +291,4 @@ fn constants_are_the_hosts() {
         Some(STACK as u32)
     );
     assert_eq!(constant(tree, "STAK"), None);
-}
-
-/// Every combination of effects is a valid module, and an effect that is off
-/// leaves no function behind.
-#[test]
-fn every_combination_of_effects_compiles() {
-    for choice in 0..1u32 << EFFECTS.len() {
-        let on = |name: &str| {
-            EFFECTS
-                .iter()
-                .position(|effect| effect.name == name)
-                .is_some_and(|index| choice >> index & 1 == 1)
-        };
-        let device = Device {
-            divide: if choice % 2 == 0 {
-                DIVIDE_NATIVE
-            } else {
-                DIVIDE_CORRECTED
-            },
-            fetch: Fetch::ALL[choice as usize % 3],
-            count: choice & 2 == 2,
-        };
-        let files = select_files(|effect| on(effect.name), device);
-        let program = Program::build(&files).unwrap();
-        let functions = &program.module.functions;
-        let defines = |name: &str| {
-            functions
-                .iter()
-                .any(|(_, f)| f.name.as_deref() == Some(name))
-        };
-        for (effect, function) in [
-            ("spheres", "intersect_sphere"),
-            ("disks", "intersect_disk"),
-            ("triangles", "intersect_triangle"),
-            ("tree", "children_of"),
-            ("point lights", "point_irradiance"),
-            ("directional lights", "directional_irradiance"),
-        ] {
-            assert_eq!(defines(function), on(effect), "{effect} in {choice:b}");
-        }
-        let lists = on("volumes") && !on("tree");
-        assert_eq!(defines("closest_in_volumes"), !on("tree"), "{choice:b}");
-        assert_eq!(defines("volume_at"), lists || on("screen"), "{choice:b}");
-        let balls = lists && on("bounding balls");
-        assert_eq!(defines("meets_ball"), balls, "{choice:b}");
-        let boxes = lists && on("bounding boxes");
-        assert_eq!(defines("box_at"), boxes, "{choice:b}");
-        let smooth = on("triangles") && on("smooth normals");
-        assert_eq!(defines("vertex_normal_at"), smooth, "{choice:b}");
-        let planes = on("planes") || on("disks");
-        assert_eq!(defines("intersect_plane"), planes, "{choice:b}");
-    }
-}
-
-/// A defect of a shader is told with its file and line.
-#[test]
-fn errors_name_the_shader_file() {
-    use rayproof::gpu::program::Source;
-    let mut files = select_files(|_| true, NATIVE);
-    files.push(Source::new(
-        "broken.wgsl",
-        "fn fine() {}\n\nfn broken() { return 1.0; }\n",
-    ));
-    let error = Program::build(&files).unwrap_err().to_string();
-    assert!(error.contains("shaders/broken.wgsl:3"), "{error}");
-    files.push(Source::new("worse.wgsl", "fn worse( {\n"));
-    let error = Program::build(&files).unwrap_err().to_string();
-    assert!(error.contains("shaders/worse.wgsl:1"), "{error}");
 }

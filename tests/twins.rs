@@ -7,27 +7,34 @@ use std::path::Path;
 use rayproof::effects::EFFECTS;
 
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 13] = [
+const WITHOUT_TWIN: [(&str, &str); 16] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
     // The CPU traces a pixel in one call, the GPU a tile in one dispatch or more.
     ("trace", "trace_pixel"),
     // In the shader the files of the tree, on or off, decide.
     ("trace", "find_hit"),
-    ("trace", "trace_tile"),
-    ("trace", "shade_tile"),
-    ("trace", "render_tile"),
-    // Which pixel an invocation takes is no arithmetic of the picture.
-    ("trace", "even_bits"),
-    ("trace", "tile_pixel"),
     // A ray of the CPU goes through the whole list at once, and counts where it is.
     ("volumes", "load_cursor"),
     ("volumes", "store_cursor"),
     // The CPU divides the screen on its own, see src/bounds/screen.rs.
     ("screen", "split_tiles"),
-    // A constant in the width, where the shader converts.
-    ("cone", "real"),
     ("count", "keep_counts"),
+    // A constant in the width, where the shader converts.
+    ("real", "constant"),
+    // Only the shader reads a number from several f32, and writes it as several.
+    ("real", "reals_of"),
+    ("real", "parts_of"),
+    // In the shader another file's `keep_nearer` stands in for it.
+    ("doubt", "keep_interval"),
+    // A ray of the CPU is taken to its end in one call, and traced again at once.
+    ("doubt", "load_doubt"),
+    ("doubt", "store_doubt"),
+    ("doubt", "list_doubtful"),
+    // The kernel's probe has a shear whatever the formulas; the textbook's shader has none.
+    ("triangle_textbook", "shear_of"),
+    // In the shader the files of the formulas decide.
+    ("triangles", "meet_triangle"),
 ];
 
 /// The ending of functions that read a record: on the CPU, tables are arrays.
@@ -107,18 +114,83 @@ fn every_shader_has_a_twin_or_a_reason() {
         "fetch_probe",
         "selfcheck",
         "selfcheck_f64",
+        // Which rays an invocation takes, and where it leaves what they find.
+        "tile",
+        "rays",
+        "trace_rays",
+        "retrace",
+        "retrace_rays",
     ];
     let stems = stems();
     for entry in fs::read_dir("shaders").unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_stem().unwrap().to_str().unwrap().to_string();
-        let stem = ["_on", "_off", "_f32", "_native", "_corrected"]
-            .iter()
-            .find_map(|ending| name.strip_suffix(ending))
-            .unwrap_or(&name);
+        let forms = FORMS.iter().find(|(form, _)| *form == name);
+        let stem = match forms {
+            Some((_, of)) => stem_of(of),
+            None => stem_of(&name),
+        };
         assert!(
             without.contains(&name.as_str()) || stems.iter().any(|known| known == stem),
             "{name}.wgsl has no twin"
+        );
+    }
+}
+
+/// Shader files that stand in for another one, which has the twin.
+const FORMS: [(&str, &str); 5] = [
+    ("doubt_off", "doubt_on"),
+    ("own_box_textbook", "own_box"),
+    ("divide_corrected", "divide_native"),
+    ("real_f64", "real_f32"),
+    ("real_two", "real_f32"),
+];
+
+/// A shader's name without the ending that tells what it is for.
+fn stem_of(name: &str) -> &str {
+    ["_on", "_off", "_f32", "_native"]
+        .iter()
+        .find_map(|ending| name.strip_suffix(ending))
+        .unwrap_or(name)
+}
+
+/// A file that stands in for another one has what the rest of the shader asks of that one:
+/// functions of its twin, in the order of the twin.
+#[test]
+fn other_forms_of_a_shader_offer_the_same() {
+    let text = |name: &str| fs::read_to_string(format!("shaders/{name}.wgsl")).unwrap();
+    for (form, of) in FORMS {
+        let (present, expected) = (functions(&text(form)), functions(&text(of)));
+        let shared: Vec<&String> = present
+            .iter()
+            .filter(|name| expected.contains(name))
+            .collect();
+        let mut rest = expected.iter();
+        assert!(
+            shared.iter().all(|name| rest.any(|other| other == *name)),
+            "{form}: another order"
+        );
+        // The numbers and the division of a width have helpers besides.
+        let complete = form.starts_with("real") || form.starts_with("divide");
+        if complete {
+            assert_eq!(shared.len(), expected.len(), "{form} lacks a function");
+        } else {
+            assert_eq!(shared.len(), present.len(), "{form} has one too many");
+            assert!(!shared.is_empty(), "{form}");
+        }
+    }
+}
+
+/// No exception outlives its function.
+#[test]
+fn every_exception_is_needed() {
+    for (stem, name) in WITHOUT_TWIN {
+        let rust = fs::read_to_string(format!("src/kernel/{stem}.rs")).unwrap();
+        let wgsl = fs::read_to_string(shader_of(stem).unwrap()).unwrap();
+        let sides = [rust, wgsl].map(|text| functions(&text).iter().any(|other| other == name));
+        assert!(
+            sides[0] != sides[1],
+            "{stem}: {name} is on both sides or none"
         );
     }
 }

@@ -203,7 +203,7 @@ fn two_hundred_thousand_triangles_in_one_ball() {
 /// However small the dispatches, the picture is the same.
 #[test]
 fn dispatches_do_not_show() {
-    let mut flat = flatten(&scene("seed-models").with_size(40, 40));
+    let mut flat = flatten::<f32>(&scene("seed-models").with_size(40, 40));
     bound(&mut flat, Bounds::Spheres { levels: 2 });
     let on_gpu = |primitives_per_dispatch| {
         let portions = Portions {

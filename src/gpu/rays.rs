@@ -104,7 +104,8 @@ impl RayList {
             divide: gpu.arithmetic.divide_file(),
             fetch,
         };
-        let kernel = gpu.compile(&Program::build(&shader_files(&flat.counts(), device))?)?;
+        let files = shader_files(&flat.counts(), device);
+        let kernel = gpu.compile(&Program::in_width(&files, R::WIDTH)?)?;
         let memory = SceneMemory::upload(gpu, &scene, fetch)?;
         let filled = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let working = filled | BufferUsages::COPY_SRC;

@@ -4,6 +4,7 @@
 //! whose interval begins before that of the nearest one ends is its rival. A ray with a
 //! rival, or with a wide interval, is in doubt. `docs/numerics.md` derives the intervals.
 
+use super::aabb::{Aabb, Slabs, clip_to_box};
 use super::hit::{Hit, Meeting};
 use super::real::{Real, constant};
 use crate::layout::NO_HIT;
@@ -45,6 +46,32 @@ pub fn doubtful_meeting<R: Real>(low: R) -> Meeting<R> {
         low: ahead,
         high: R::MISS,
     }
+}
+
+/// The meeting, as far as it is in the shape's own box.
+///
+/// A bound may accept a ray far from the shape, such as one in the plane of a triangle.
+/// Which of those are tested would depend on the tree, and with them whether the ray is in
+/// doubt. No hit is lost: in f64 too, it counts only in the same box.
+///
+/// With it, no tree matters to doubt. Let X be the certain meeting with the least t, and r
+/// the one with the least `low` of those others that begin before X ends. A search skips r
+/// only for a hit that ends before r begins; that one would begin sooner than r, and before X
+/// ends. So r is tested, and is a rival or was the hit before it became one.
+pub fn meeting_in_box<R: Real>(slabs: Slabs, own: Aabb, meeting: Meeting<R>) -> Meeting<R> {
+    let interval = clip_to_box(slabs, own.low, own.high);
+    if interval.enter > interval.exit {
+        return certain_meeting(R::MISS);
+    }
+    let enter = constant(interval.enter);
+    let low = if meeting.low < enter {
+        enter
+    } else {
+        meeting.low
+    };
+    let t = if meeting.t < low { low } else { meeting.t };
+    let high = if meeting.high < t { t } else { meeting.high };
+    Meeting { t, low, high }
 }
 
 /// Whether a meeting may be the closest. A tie is for [`keep_nearer`] to settle, by the

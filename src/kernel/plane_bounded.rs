@@ -12,7 +12,7 @@ use crate::layout::Plane;
 
 /// The error of height and slope, in parts of the lengths that they are made of: at most 13
 /// roundings, 9 of them the direction's.
-const PLANE_ERROR: f32 = 16.0 / 16_777_216.0;
+pub const PLANE_ERROR: f32 = 16.0 / 16_777_216.0;
 
 /// Where the ray meets the plane through `point`, within bounds.
 #[inline]

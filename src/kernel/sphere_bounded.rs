@@ -2,9 +2,10 @@
 //! [`super::sphere`]; the bounds are derived in `docs/numerics.md`.
 
 use super::divide::{divide, square_root};
-use super::doubt::{ERROR, certain_meeting, doubtful_meeting, meeting_within};
+use super::doubt::{ERROR, certain_meeting, doubtful_meeting, meeting_in_box, meeting_within};
 use super::hit::Meeting;
 use super::near_spheres::{is_near, sphere_power};
+use super::own_box::ball_box;
 use super::probe::Probe;
 use super::real::{Real, constant, copy_sign};
 use super::vector::{Vec3, dot_product, taxicab_length};
@@ -12,18 +13,18 @@ use crate::layout::Sphere;
 
 /// The error of |f|^2, in parts of it: three roundings, and twice one of the centre's and
 /// one of f's.
-const SQUARE_ERROR: f32 = 7.25 / 16_777_216.0;
+pub const SQUARE_ERROR: f32 = 7.25 / 16_777_216.0;
 
 /// The error of r^2, in parts of it: one rounding, and two of the radius's.
-const RADIUS_ERROR: f32 = 3.25 / 16_777_216.0;
+pub const RADIUS_ERROR: f32 = 3.25 / 16_777_216.0;
 
 /// The error of b and of the power of a sphere that the camera is near, in parts of the
 /// lengths that they are made of: at most 13 roundings, 9 of them the direction's.
 pub const NEAR_ERROR: f32 = 16.0 / 16_777_216.0;
 
-/// Where the ray meets the sphere, within bounds.
+/// Where the ray meets the sphere, within bounds, wherever that is.
 #[inline]
-pub fn meet_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
+fn bound_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
     let center = Vec3::from(sphere.center);
     let origin = probe.ray.origin;
     let f = origin - center;
@@ -80,6 +81,18 @@ pub fn meet_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
         return meeting_within(far, far_error + far.abs() * constant(ERROR));
     }
     meeting_within(near, near_error + near.abs() * constant(ERROR))
+}
+
+/// Where the ray meets the sphere within the sphere's own box, within bounds.
+#[inline]
+pub fn meet_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
+    let meeting = bound_sphere(probe, sphere);
+    if meeting.low >= R::MISS {
+        return meeting;
+    }
+    let center = Vec3::from(sphere.center).to_f32();
+    let own = ball_box::<R>(center, sphere.radius.to_f32());
+    meeting_in_box(probe.slabs, own, meeting)
 }
 
 #[cfg(test)]

@@ -2,8 +2,9 @@
 //! [`super::triangle`]; the bounds are derived in `docs/numerics.md`.
 
 use super::divide::divide;
-use super::doubt::{certain_meeting, doubtful_meeting, meeting_within};
+use super::doubt::{certain_meeting, doubtful_meeting, meeting_in_box, meeting_within};
 use super::hit::Meeting;
+use super::own_box::triangle_box;
 use super::probe::Probe;
 use super::real::{Real, constant};
 use super::triangle::axis_last;
@@ -26,9 +27,9 @@ fn greatest_of<R: Real>(a: R, b: R, c: R) -> R {
     if ab > c { ab } else { c }
 }
 
-/// Where the ray meets the triangle, within bounds.
+/// Where the ray meets the triangle, within bounds, wherever that is.
 #[inline]
-pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meeting<R> {
+fn bound_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meeting<R> {
     let origin = probe.ray.origin;
     let shear = probe.shear;
     let a = axis_last(Vec3::from(triangle.a) - origin, shear.axis);
@@ -89,4 +90,16 @@ pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meetin
         last - first
     };
     meeting_within(t, divide(in_range + error, size))
+}
+
+/// Where the ray meets the triangle within the triangle's own box, within bounds.
+#[inline]
+pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meeting<R> {
+    let meeting = bound_triangle(probe, triangle);
+    if meeting.low >= R::MISS {
+        return meeting;
+    }
+    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| Vec3::from(corner).to_f32());
+    let own = triangle_box::<R>(a, b, c);
+    meeting_in_box(probe.slabs, own, meeting)
 }

@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each test uses a part")]
 
+pub mod aimed;
 pub mod random;
 
 use std::sync::Arc;

@@ -25,9 +25,10 @@ macro_rules! shader {
 
 pub(super) const TWO_FLOAT: Source = shader!("two_float.wgsl");
 
-const FILES: [Source; 5] = [
+const FILES: [Source; 6] = [
     shader!("divide_native.wgsl"),
     shader!("vector.wgsl"),
+    shader!("near_spheres_off.wgsl"),
     shader!("sphere.wgsl"),
     shader!("triangle.wgsl"),
     PRELUDE,
@@ -39,7 +40,7 @@ pub(super) const PRELUDE: Source = Source::new(
         alias real = f64;
         const MISS: real = 1.7976931348623157e308;
         struct Ray { origin: vec3<real>, direction: vec3<real> }
-        struct Sphere { center: vec3<real>, radius: real }
+        struct Sphere { center: vec3<real>, radius: real, power: real }
         struct Triangle { a: vec3<real>, b: vec3<real>, c: vec3<real> }
         fn divide_f32(a: f32, b: f32) -> f32 { return a / b; }
         fn square_root_f32(a: f32) -> f32 { return sqrt(a); }
@@ -73,7 +74,7 @@ const TRACE: Source = Source::new(
             let first = 19u * at.x;
             if first >= arrayLength(&inputs) { return; }
             let ray = Ray(vector_at(first), vector_at(first + 3u));
-            let sphere = Sphere(vector_at(first + 6u), number_at(first + 9u));
+            let sphere = Sphere(vector_at(first + 6u), number_at(first + 9u), MISS);
             let triangle = Triangle(
                 vector_at(first + 10u), vector_at(first + 13u), vector_at(first + 16u));
             let t = intersect_sphere(ray, sphere);
