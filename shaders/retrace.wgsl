@@ -3,14 +3,8 @@
 // How many there are, then which, as the first pass left them.
 @group(0) @binding(10) var<storage, read_write> doubtful: array<u32>;
 
-// Finds the closest hit of each pixel of the list anew, and colours it.
-@compute @workgroup_size(64)
-fn retrace(
-    @builtin(workgroup_id) workgroup: vec3<u32>,
-    @builtin(num_workgroups) workgroups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let place = 64u * (workgroup.y * workgroups.x + workgroup.x) + lane;
+// Finds the closest hit of the pixel at a place of the list anew, and colours it.
+fn retrace_pixel(place: u32) {
     if place >= doubtful[0] {
         return;
     }
@@ -22,4 +16,21 @@ fn retrace(
     hit.tile = tile_of(dispatch.size, x, y);
     closest_hit(probe_of(ray), &hit);
     pixels[index] = shade(ray, hit);
+}
+
+// A long list.
+@compute @workgroup_size(64)
+fn retrace(@builtin(global_invocation_id) at: vec3<u32>) {
+    retrace_pixel(at.x);
+}
+
+// A short list, dealt out in slices to as many threads as there are: its rays have little in
+// common that would pay for keeping them together.
+@compute @workgroup_size(8)
+fn retrace_few(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(num_workgroups) workgroups: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    retrace_pixel(8u * (workgroup.z * workgroups.x + workgroup.x) + lane);
 }

@@ -7,6 +7,7 @@ use super::portions::Portions;
 use super::program::Program;
 use super::scene::PackedScene;
 use super::stage::uniforms;
+use super::tile::SLICES;
 use super::timestamps::Clock;
 use crate::effects::{Device, Entry, shader_files};
 use crate::error::{Error, Result};
@@ -14,8 +15,18 @@ use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::Dispatch;
 
-/// Invocations of a workgroup of `retrace`.
-const WORKGROUP: u32 = 64;
+/// Rays of a list from which on it is long: some for each core of a large device.
+const LONG: u32 = 1 << 14;
+
+/// Entry point for a list, and its workgroups: of 8 rays in slices, or of 64.
+fn entry_for(count: u32) -> (&'static str, [u32; 3]) {
+    if count < LONG {
+        let across = count.div_ceil(8).div_ceil(SLICES);
+        ("retrace_few", [across, 1, SLICES])
+    } else {
+        ("retrace", [count.div_ceil(64), 1, 1])
+    }
+}
 
 /// The scene in wider numbers, and the shader that traces a list of pixels.
 pub(super) struct Retrace {
@@ -117,11 +128,9 @@ impl Retrace {
         }
         gpu.queue
             .write_buffer(&self.dispatch, 0, bytemuck::bytes_of(orders));
-        let workgroups = [count.div_ceil(WORKGROUP), 1, 1];
+        let (entry, workgroups) = entry_for(count);
         let groups = [&self.frame, &self.scene];
-        let seconds = self
-            .kernel
-            .run(gpu, "retrace", &groups, workgroups, clock)?;
+        let seconds = self.kernel.run(gpu, entry, &groups, workgroups, clock)?;
         gpu.queue.write_buffer(doubtful, 0, &[0; 4]);
         Ok(seconds)
     }

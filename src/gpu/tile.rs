@@ -10,7 +10,7 @@ pub(super) const WORKGROUP: u32 = 8;
 
 /// Slices of a tile whose workgroups are spread: enough for as many threads, each of
 /// which a software driver gives the workgroups of a slice.
-const SLICES: u32 = 16;
+pub(super) const SLICES: u32 = 16;
 
 /// A band of rows.
 #[derive(Debug, Clone, Copy)]
