@@ -5,9 +5,12 @@
 // camera's own power before it rounds; from a point elsewhere, what is to be added has
 // the size of the way there.
 
+// In place of the power of a sphere that the camera is not near.
+const FAR: f32 = 3.4028234663852886e38;
+
 // Whether the camera's power is known.
 fn is_near(sphere: Sphere) -> bool {
-    return sphere.power < MISS;
+    return sphere.power < real(FAR);
 }
 
 // The power of a ray's origin.

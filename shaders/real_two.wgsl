@@ -4,7 +4,7 @@
 alias real = f64;
 
 // The value of t that stands for "no hit": the largest finite number, in two f32 as well.
-const MISS: real = 1.7976931348623157e308;
+const MISS: real = 3.4028234663852886e38;
 
 // How many f32 a number is read from.
 const PARTS: u32 = 2u;

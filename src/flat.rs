@@ -9,8 +9,8 @@ use serde::Serialize;
 
 use crate::bounds::screen::tile_masks;
 use crate::flatten::camera_power;
-use crate::kernel::near_spheres::is_near;
-use crate::kernel::real::Real;
+use crate::kernel::near_spheres::{FAR, is_near};
+use crate::kernel::real::{Real, constant};
 use crate::layout::{
     BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane,
     QUAD, Sphere, Surroundings, Volume,
@@ -176,7 +176,7 @@ impl<R> Flat<R> {
         for sphere in &mut self.spheres {
             let center = sphere.center.map(R::to_f64);
             let power = camera_power(center, sphere.radius.to_f64());
-            sphere.power = power.map_or(R::MISS, R::from_f64);
+            sphere.power = power.map_or(constant(FAR), R::from_f64);
         }
     }
 

@@ -12,7 +12,8 @@ use std::sync::OnceLock;
 use glam::{DMat3, DVec3};
 
 use crate::flat::{Flat, GivenBound, Part};
-use crate::kernel::real::Real;
+use crate::kernel::near_spheres::FAR;
+use crate::kernel::real::{Real, constant};
 use crate::layout::{
     BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere,
     Surroundings,
@@ -169,7 +170,7 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, eye: DVec3) {
             flat.spheres.push(Sphere {
                 center: real_vector(center),
                 radius: R::from_f64(radius),
-                power: camera_power(center.to_array(), radius).map_or(R::MISS, R::from_f64),
+                power: camera_power(center.to_array(), radius).map_or(constant(FAR), R::from_f64),
                 padding: [R::ZERO; 3],
             });
         }

@@ -14,7 +14,8 @@ pub use record::Record;
 
 use bytemuck::{Pod, Zeroable};
 
-use crate::kernel::real::Real;
+use crate::kernel::near_spheres::FAR;
+use crate::kernel::real::{Real, constant};
 
 /// Stands for "no primitive" in a pixel's `id`.
 pub const NO_HIT: u32 = u32::MAX;
@@ -66,7 +67,7 @@ real_records! {
         /// Greater than 0.
         radius: R,
         /// |center|^2 - radius^2, of the numbers before they were rounded, where the
-        /// camera is near the surface; else `MISS`.
+        /// camera is near the surface; else [`FAR`].
         power: R,
         /// Unused.
         padding: [R; 3],
@@ -127,7 +128,7 @@ impl<R: Real> Sphere<R> {
         Self {
             center,
             radius,
-            power: R::MISS,
+            power: constant(FAR),
             padding: [R::ZERO; 3],
         }
     }

@@ -6,7 +6,7 @@
 //! [`gpu`] or [`cpu`] traces them, the one with the shaders, the other with the
 //! [`kernel`], their twin; the result is a [`frame`], and [`compare`] says how two
 //! of them differ. The [`oracle`] says what would be exact, [`accuracy`] how far each tier
-//! is from it; [`report`] draws what was measured.
+//! is from it, [`why`] what a single pixel shows; [`report`] draws what was measured.
 //!
 //! # Example
 //!
@@ -44,6 +44,7 @@ pub mod report;
 pub mod scene;
 pub mod tier;
 pub mod watch;
+pub mod why;
 
 pub use compare::{Comparison, Tolerance, compare_frames};
 pub use error::{Error, Result};

@@ -15,12 +15,12 @@ use crate::{cpu, gpu};
 
 /// A scene in the numbers of every tier, with its volumes.
 pub struct Widths {
-    textbook: Flat<Textbook>,
-    robust: Flat<Robust>,
-    extended: Flat<Extended>,
+    pub(crate) textbook: Flat<Textbook>,
+    pub(crate) robust: Flat<Robust>,
+    pub(crate) extended: Flat<Extended>,
     /// In f64, from which the others are rounded.
     pub double: Flat<Double>,
-    bounded: Flat<Bounded>,
+    pub(crate) bounded: Flat<Bounded>,
 }
 
 /// A scene ready to be traced, any number of times.

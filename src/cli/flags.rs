@@ -8,6 +8,7 @@ use super::accuracy::flags::AccuracyArguments;
 use super::bench::flags::BenchArguments;
 use super::shown::Shown;
 use super::tracing_flags::{PlaceFlags, PolicyFlags, TracingFlags};
+use super::why::flags::WhyArguments;
 use rayproof::compare::Tolerance;
 use rayproof::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
 
@@ -31,6 +32,8 @@ pub(super) enum Command {
     Bench(BenchArguments),
     /// Measure what each accuracy tier costs, and how far it is from the exact answer
     Accuracy(AccuracyArguments),
+    /// Explain one pixel: what its ray meets in each accuracy tier and in truth, and why
+    Why(WhyArguments),
     /// Check a scene and all that it refers to, and report every fault at once
     Check(CheckArguments),
     /// Show the adapters of this machine and what their arithmetic does

@@ -177,6 +177,21 @@ impl BoundsChoice {
     }
 }
 
+/// The volumes of `--bounds` and `--levels`.
+///
+/// # Errors
+///
+/// [`Error::Usage`] for levels of volumes that have none.
+pub(super) fn chosen_bounds(choice: BoundsChoice, levels: Option<u32>) -> Result<Bounds> {
+    let bounds = choice.bounds(levels.unwrap_or(ONE_LEVEL));
+    match bounds {
+        Bounds::None | Bounds::Scene | Bounds::Tree if levels.is_some() => Err(Error::Usage(
+            "`--levels` goes with `--bounds spheres`, `boxes` or `screen`".into(),
+        )),
+        _ => Ok(bounds),
+    }
+}
+
 pub(super) fn parse_levels(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(levels) if (1..=MAX_LEVELS).contains(&levels) => Ok(levels),
@@ -189,15 +204,9 @@ impl PlaceFlags {
     ///
     /// # Errors
     ///
-    /// [`Error::Usage`] for levels of volumes that have none.
+    /// As [`chosen_bounds`].
     pub(super) fn bounds(&self) -> Result<Bounds> {
-        let bounds = self.bounds.bounds(self.levels.unwrap_or(ONE_LEVEL));
-        match bounds {
-            Bounds::None | Bounds::Scene | Bounds::Tree if self.levels.is_some() => Err(
-                Error::Usage("`--levels` goes with `--bounds spheres`, `boxes` or `screen`".into()),
-            ),
-            _ => Ok(bounds),
-        }
+        chosen_bounds(self.bounds, self.levels)
     }
 
     /// Opens the GPU adapter asked for.

@@ -48,11 +48,10 @@ fn convert<R: Real, S: Real>(number: R) -> S {
 }
 
 fn convert_sphere<R: Real, S: Real>(sphere: &Sphere<R>) -> Sphere<S> {
-    let far = sphere.power >= R::MISS;
     Sphere {
         center: sphere.center.map(convert),
         radius: convert(sphere.radius),
-        power: if far { S::MISS } else { convert(sphere.power) },
+        power: convert(sphere.power),
         padding: [S::ZERO; 3],
     }
 }

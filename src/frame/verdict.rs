@@ -1,5 +1,7 @@
 //! Pictures of errors: how far a picture is from the truth, pixel by pixel.
 
+use serde::Serialize;
+
 use crate::ramp::ramp_color;
 
 /// What rounding to f32 alone can do, in ulp.
@@ -22,7 +24,8 @@ const FALSE_HIT: [u8; 3] = [86, 180, 233];
 const WRONG_SHAPE: [u8; 3] = [240, 228, 66];
 
 /// Whether a ray met what it should have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// It met the right shape, or rightly none.
     Right,

@@ -5,13 +5,16 @@
 //! camera's own power before it rounds; from a point elsewhere, what is to be added has
 //! the size of the way there.
 
-use super::real::Real;
+use super::real::{Real, constant};
 use super::vector::{Vec3, dot_product};
 use crate::layout::Sphere;
 
+/// In place of the power of a sphere that the camera is not near.
+pub const FAR: f32 = f32::MAX;
+
 /// Whether the camera's power is known.
 pub fn is_near<R: Real>(sphere: &Sphere<R>) -> bool {
-    sphere.power < R::MISS
+    sphere.power < constant(FAR)
 }
 
 /// The power of a ray's origin.

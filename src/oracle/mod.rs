@@ -230,7 +230,7 @@ impl<'a> Oracle<'a> {
     }
 
     /// Id and shape of the primitive in a row of its kind's table.
-    fn shape(&self, kind: ShapeKind, row: u32) -> (u32, Shape<'a>) {
+    pub fn shape(&self, kind: ShapeKind, row: u32) -> (u32, Shape<'a>) {
         let flat = self.flat;
         let index = row as usize;
         match kind {

@@ -12,6 +12,7 @@ mod meshes;
 mod outputs;
 mod renders;
 mod streams;
+mod why;
 
 use std::fs;
 use std::path::PathBuf;

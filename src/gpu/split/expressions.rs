@@ -132,15 +132,10 @@ impl Lowering<'_> {
         Ok(self.append(expression))
     }
 
-    /// As the twin's `from_f64`; f64's largest number stands for the largest.
+    /// As the twin's `from_f64`.
     fn literal(&mut self, value: f64) -> Result<Handle<Expression>, String> {
-        let largest = value == f64::MAX;
-        let high = if largest { f32::MAX } else { value as f32 };
-        let low = if largest {
-            0.0
-        } else {
-            (value - f64::from(high)) as f32
-        };
+        let high = value as f32;
+        let low = (value - f64::from(high)) as f32;
         if !high.is_finite() {
             return Err(format!("no f32 is near {value:e}"));
         }
