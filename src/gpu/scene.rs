@@ -133,13 +133,13 @@ mod tests {
         let tables = packed.tables;
         assert_eq!(
             (tables.spheres, tables.sphere_ids, tables.planes),
-            (0, 5, 7)
+            (0, 10, 12)
         );
-        assert_eq!(packed.quads[5..7], [[4, 3, 2, 1], [7, 0, 0, 0]]);
+        assert_eq!(packed.quads[10..12], [[4, 3, 2, 1], [7, 0, 0, 0]]);
         let vertex = packed.quads[tables.vertices as usize];
         assert_eq!(vertex[1], 2f32.to_bits());
-        assert_eq!(tables.material_indices, 8);
-        assert_eq!(packed.bytes(), 16 * 10);
+        assert_eq!(tables.material_indices, 13);
+        assert_eq!(packed.bytes(), 16 * 15);
         assert_eq!(flat.bytes(), packed.bytes());
     }
 }

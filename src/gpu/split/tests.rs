@@ -38,7 +38,7 @@ pub(super) const PRELUDE: Source = Source::new(
     "prelude",
     "
         alias real = f64;
-        const MISS: real = 1.7976931348623157e308;
+        const MISS: real = 3.4028234663852886e38;
         struct Ray { origin: vec3<real>, direction: vec3<real> }
         struct Sphere { center: vec3<real>, radius: real, power: real }
         struct Triangle { a: vec3<real>, b: vec3<real>, c: vec3<real> }
