@@ -8,7 +8,8 @@ fn plane_at(row: u32) -> Plane {
 
 // Tests every plane of the dispatch.
 fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
-    for (var row = dispatch.planes.begin; row < dispatch.planes.end; row++) {
+    let end = hidden_end(dispatch.planes.end);
+    for (var row = dispatch.planes.begin; row < end; row++) {
         let meeting = meet_plane(probe, plane_at(row));
         count_test(hit);
         if may_be_closest(*hit, meeting) {
