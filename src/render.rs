@@ -188,7 +188,8 @@ pub fn render(
                     Ok(prepared.retraced())
                 }
                 Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-                    let mut prepared = gpu::render::adaptive(gpu, &first, flat)?;
+                    let mut prepared =
+                        gpu::render::adaptive(gpu, &first, flat, Portions::default())?;
                     prepared.run(watch, keep)?;
                     Ok(prepared.retraced())
                 }),

@@ -4,7 +4,7 @@ use crate::bounds::{self, Bounds};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::found::Found;
-use crate::gpu::render::Portions;
+use crate::gpu::render::{Portions, Seconds};
 use crate::kernel::camera::Ray;
 use crate::kernel::real::Real;
 use crate::layout::Pixel;
@@ -35,6 +35,9 @@ pub trait Tracer {
 
     /// How many rays of the last picture were traced a second time.
     fn retraced(&self) -> u64;
+
+    /// How long the last picture's passes took by the device's clock, where they are timed.
+    fn seconds(&self) -> Option<Seconds>;
 }
 
 impl<R: Real> Tracer for cpu::Prepared<'_, R> {
@@ -45,6 +48,10 @@ impl<R: Real> Tracer for cpu::Prepared<'_, R> {
     fn retraced(&self) -> u64 {
         cpu::Prepared::retraced(self)
     }
+
+    fn seconds(&self) -> Option<Seconds> {
+        None
+    }
 }
 
 impl<R: Real> Tracer for gpu::render::Prepared<'_, R> {
@@ -54,6 +61,10 @@ impl<R: Real> Tracer for gpu::render::Prepared<'_, R> {
 
     fn retraced(&self) -> u64 {
         gpu::render::Prepared::retraced(self)
+    }
+
+    fn seconds(&self) -> Option<Seconds> {
+        gpu::render::Prepared::seconds(self)
     }
 }
 
@@ -73,7 +84,8 @@ impl Widths {
         }
     }
 
-    /// Makes a picture in a tier ready.
+    /// Makes a picture in a tier ready; its passes are timed by the device if that is asked
+    /// for, and then hits are found and coloured in passes apart.
     ///
     /// # Errors
     ///
@@ -83,23 +95,31 @@ impl Widths {
         &'a self,
         backend: &'a Backend,
         accuracy: Accuracy,
+        time: bool,
     ) -> Result<Box<dyn Tracer + 'a>> {
+        let portions = Portions {
+            time,
+            ..Portions::default()
+        };
         if let Some(reason) = backend.lacks(accuracy) {
             return Err(Error::Usage(reason));
         }
         match accuracy {
-            Accuracy::Textbook => plain(backend, &self.textbook),
-            Accuracy::Robust => plain(backend, &self.robust),
-            Accuracy::Extended => plain(backend, &self.extended),
-            Accuracy::Double => plain(backend, &self.double),
+            Accuracy::Textbook => plain(backend, &self.textbook, portions),
+            Accuracy::Robust => plain(backend, &self.robust, portions),
+            Accuracy::Extended => plain(backend, &self.extended, portions),
+            Accuracy::Double => plain(backend, &self.double, portions),
             Accuracy::Adaptive => Ok(match backend {
                 Backend::Cpu(threads) => {
                     let prepared = cpu::Prepared::new(&self.bounded, *threads)?;
                     Box::new(prepared.with_second(&self.double))
                 }
-                Backend::Gpu(gpu) => {
-                    Box::new(gpu::render::adaptive(gpu, &self.bounded, &self.double)?)
-                }
+                Backend::Gpu(gpu) => Box::new(gpu::render::adaptive(
+                    gpu,
+                    &self.bounded,
+                    &self.double,
+                    portions,
+                )?),
             }),
         }
     }
@@ -139,10 +159,14 @@ impl Widths {
     }
 }
 
-fn plain<'a, R: Real>(backend: &'a Backend, flat: &'a Flat<R>) -> Result<Box<dyn Tracer + 'a>> {
+fn plain<'a, R: Real>(
+    backend: &'a Backend,
+    flat: &'a Flat<R>,
+    portions: Portions,
+) -> Result<Box<dyn Tracer + 'a>> {
     Ok(match backend {
         Backend::Cpu(threads) => Box::new(cpu::Prepared::new(flat, *threads)?),
-        Backend::Gpu(gpu) => Box::new(gpu::render::Prepared::new(gpu, flat, Portions::default())?),
+        Backend::Gpu(gpu) => Box::new(gpu::render::Prepared::new(gpu, flat, portions)?),
     })
 }
 

@@ -51,18 +51,17 @@ pub fn render<R: Real>(
 }
 
 /// A scene in f32 ready to be traced with bounds of the error, and in f64 for the rays in
-/// doubt: the same volumes in both. Where one dispatch of those cannot test everything, all
-/// rays are taken for doubtful.
+/// doubt: the same volumes in both.
 ///
 /// # Errors
 ///
-/// As [`Prepared::new`].
+/// As [`Prepared::new`] and [`Prepared::with_second`].
 pub fn adaptive<'a>(
     gpu: &'a Gpu,
     first: &'a Flat<Bounded>,
     second: &Flat<Double>,
+    portions: Portions,
 ) -> Result<Prepared<'a, Bounded>> {
-    let portions = Portions::default();
     Prepared::new(gpu, first, portions)?.with_second(second, portions)
 }
 

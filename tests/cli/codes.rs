@@ -77,10 +77,13 @@ fn wrong_usage_is_2() {
         ("render ok.toml -o b.png --layer depth,id", "one layer"),
         ("render ok.toml -o b.png --threads 0", "1 to 1024"),
         ("render ok.toml -o b.png --threads 100000", "1 to 1024"),
-        (
-            "render ok.toml -o b.png --accuracy double --backend gpu",
-            "--backend cpu",
-        ),
+        ("render ok.toml -o b.png --accuracy good", "adaptive"),
+        ("accuracy ok.toml -o b.txt", ".svg"),
+        ("accuracy ok.toml -o b.png", "--layer"),
+        ("accuracy ok.toml -o b.svg --layer ulp", ".png"),
+        ("accuracy ok.toml -o b.png --layer ulp", "one tier"),
+        ("accuracy ok.toml --layer ulp", "--output"),
+        ("accuracy ok.toml --hazard heat", "distance"),
         (
             "render ok.toml -o b.png --adapter x --backend cpu",
             "--adapter",

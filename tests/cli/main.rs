@@ -1,6 +1,7 @@
 //! The command line from outside: exit codes, streams, files, signals. On Linux,
 //! with a Vulkan driver (software will do): without one these tests fail.
 
+mod accuracy;
 mod bench;
 mod checks;
 mod codes;

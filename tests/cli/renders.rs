@@ -91,17 +91,20 @@ fn backends_and_threads_write_the_same_file() {
 }
 
 #[test]
-fn double_is_traced_on_the_cpu() {
+fn double_is_traced_on_both() {
     let room = Room::new();
     room.run("render ok.toml -o robust.exr --backend cpu")
         .with(0);
-    for backend in ["cpu", "auto"] {
+    for backend in ["gpu", "cpu"] {
         let line =
             format!("render ok.toml -o double.exr --accuracy double --json --backend {backend}");
         let stats = room.run(&line).with(0).json();
         assert_eq!(stats["accuracy"], "double");
-        assert_eq!(stats["backend"], "cpu");
+        assert_eq!(stats["backend"], backend);
+        room.shell("mv -n double.exr first.exr").with(0);
     }
+    let compared = room.run("compare first.exr double.exr --json").with(0);
+    assert_eq!(compared.json()["different_pixels"], 0);
     // Other bits, but hardly another picture: the roundings of f32 show.
     let compared = room
         .run("compare robust.exr double.exr --json --max-pixels 1536")

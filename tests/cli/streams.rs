@@ -15,11 +15,12 @@ const ARITHMETIC: &str = "two_sum two_prod contraction fma_fused division_ulp sq
                           f64 f64_ulp loop_budget";
 
 /// A line for each command.
-const ALL_COMMANDS: [&str; 7] = [
+const ALL_COMMANDS: [&str; 8] = [
     "render ok.toml -o a.png",
     "compare ok.toml",
     "compare a.png a.png",
     "why ok.toml 24 16",
+    "accuracy ok.toml --runs 1 --warmup 0",
     "check ok.toml",
     "doctor",
     "mesh box -o box.obj",

@@ -13,7 +13,7 @@ use rayproof::found::Found;
 use rayproof::frame::Frame;
 use rayproof::kernel::camera::Ray;
 use rayproof::kernel::vector::vector_length;
-use rayproof::measure::{Plan, Spread, Times, interleave};
+use rayproof::measure::{Plan, Spread, Times, Turn, interleave};
 use rayproof::oracle::Truth;
 use rayproof::render::{Accuracy, Backend};
 use rayproof::scene::Scene;
@@ -85,7 +85,14 @@ impl Level {
                     None => cases.push(Case {
                         backend,
                         tier,
-                        tracer: self.exact.tracer(backend, tier)?,
+                        tracer: self.exact.tracer(backend, tier, false)?,
+                        timed: match backend {
+                            Backend::Gpu(gpu) if gpu.has_clock() => {
+                                Some(self.exact.tracer(backend, tier, true)?)
+                            }
+                            _ => None,
+                        },
+                        device_seconds: Vec::new(),
                         frame: Frame::new(self.exact_frame.width, self.exact_frame.height)?,
                     }),
                 }
@@ -99,20 +106,25 @@ impl Level {
                 case.tier.name(),
                 turn.number
             );
-            case.run(&Progress::new(common, label))
+            case.run(turn, &Progress::new(common, label))
         })?;
         for (case, own) in cases.iter().zip(&times) {
             let textbook = cases.iter().position(|other| {
                 other.backend.name() == case.backend.name() && other.tier == Accuracy::Textbook
             });
-            let cost = textbook.map(|index| median(own) / median(&times[index]));
-            rows.push(self.row(case, own, cost)?);
+            let mut row = self.row(case, own)?;
+            row.cost = textbook.map(|index| median(own) / median(&times[index]));
+            row.device_cost = textbook
+                .and_then(|index| cases[index].device_ms())
+                .zip(case.device_ms())
+                .map(|(textbook, own)| own / textbook);
+            rows.push(row);
         }
         rows.sort_by_key(|row| (row.backend, row.tier));
         Ok(rows)
     }
 
-    fn row(&self, case: &Case<'_>, times: &Times, cost: Option<f64>) -> Result<Row> {
+    fn row(&self, case: &Case<'_>, times: &Times) -> Result<Row> {
         let found = self.found(case.backend, case.tier)?;
         let comparison = compare_frames(&case.frame, &self.exact_frame, &Tolerance::default())?;
         let ms = Spread::of(&times.seconds).times(1e3);
@@ -123,7 +135,7 @@ impl Level {
             min_ms: Some(ms.min),
             max_ms: Some(ms.max),
             mrays_per_s: Some(self.exact_rays.len() as f64 / ms.median / 1e3),
-            cost,
+            device_ms: case.device_ms(),
             retraced: (case.tier == Accuracy::Adaptive).then(|| case.tracer.retraced()),
             errors: Some(Errors::of(&found, &self.rounded_truths.0)),
             total: Some(self.total_errors(&case.frame)),
@@ -156,12 +168,21 @@ struct Case<'a> {
     backend: &'a Backend,
     tier: Accuracy,
     tracer: Box<dyn Tracer + 'a>,
+    /// With passes that are timed, on a device with a clock.
+    timed: Option<Box<dyn Tracer + 'a>>,
+    /// Of all passes of a picture, for each run that counts.
+    device_seconds: Vec<f64>,
     frame: Frame,
 }
 
 impl Case<'_> {
+    /// Milliseconds of a picture by the device's clock.
+    fn device_ms(&self) -> Option<f64> {
+        (!self.device_seconds.is_empty()).then(|| Spread::of(&self.device_seconds).median * 1e3)
+    }
+
     /// Traces a picture; gives the seconds.
-    fn run(&mut self, progress: &Progress) -> Result<f64> {
+    fn run(&mut self, turn: Turn, progress: &Progress) -> Result<f64> {
         let started = std::time::Instant::now();
         let frame = &mut self.frame;
         let mut complete = true;
@@ -171,7 +192,14 @@ impl Case<'_> {
         if !complete {
             tracing::warn!("some rays were given up: they count as misses");
         }
-        Ok(started.elapsed().as_secs_f64())
+        let seconds = started.elapsed().as_secs_f64();
+        if let Some(timed) = &mut self.timed {
+            timed.run(progress, &mut |_, _| {})?;
+            let passes = timed.seconds().filter(|_| !turn.warm_up);
+            let both = passes.map(|seconds| seconds.trace + seconds.shade);
+            self.device_seconds.extend(both);
+        }
+        Ok(seconds)
     }
 }
 

@@ -50,6 +50,10 @@ pub(super) struct Row {
     pub(super) mrays_per_s: Option<f64>,
     /// Time over that of the textbook's tier on the same backend.
     pub(super) cost: Option<f64>,
+    /// By the device's clock: all passes of a picture, without reading it back.
+    pub(super) device_ms: Option<f64>,
+    /// The same over that of the textbook's tier.
+    pub(super) device_cost: Option<f64>,
     /// Rays that were traced a second time.
     pub(super) retraced: Option<u64>,
     /// Of the intersections: the same rays and shapes in f32, against the exact answer.
@@ -61,12 +65,14 @@ pub(super) struct Row {
     pub(super) flip: Option<f64>,
 }
 
-const HEAD: [&str; 15] = [
+const HEAD: [&str; 17] = [
     "backend",
     "tier",
     "median ms",
     "min",
     "max",
+    "cost",
+    "device ms",
     "cost",
     "twice",
     "wrong",
@@ -94,6 +100,8 @@ impl Row {
             max_ms: None,
             mrays_per_s: None,
             cost: None,
+            device_ms: None,
+            device_cost: None,
             retraced: None,
             errors: None,
             total: None,
@@ -111,7 +119,7 @@ impl Row {
         }
     }
 
-    fn cells(&self) -> [String; 15] {
+    fn cells(&self) -> [String; 17] {
         let two = |number: Option<f64>| number.map_or("-".into(), |n| format!("{n:.2}"));
         let count = |number: Option<u64>| number.map_or("-".into(), |n| n.to_string());
         let ulp = |number: Option<f64>| number.map_or("-".into(), short);
@@ -123,6 +131,8 @@ impl Row {
             two(self.min_ms),
             two(self.max_ms),
             two(self.cost),
+            two(self.device_ms),
+            two(self.device_cost),
             count(self.retraced),
             count(errors.map(|errors| errors.misclassified)),
             count(errors.map(|errors| errors.outside_band)),
@@ -161,7 +171,10 @@ impl Results {
         rows.extend(self.adapter.clone().map(|adapter| ("adapter", adapter)));
         rows.push((
             "measured",
-            format!("wall time of a picture; {warmup} + {runs} runs, interleaved"),
+            format!(
+                "wall time of a picture, and time by the device's clock; \
+                 {warmup} + {runs} runs, interleaved"
+            ),
         ));
         let mut text = table(&rows) + "\n";
         if self.levels.is_empty() {
