@@ -188,6 +188,11 @@ pub fn render(
                     Ok(prepared.retraced())
                 }
                 Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
+                    if gpu.has_f64() && !gpu::render::may_retrace(flat, Portions::default()) {
+                        // By brute force over so much, in f64 from the beginning.
+                        gpu::render::render(gpu, flat, Portions::default(), watch, keep)?;
+                        return Ok(u64::from(flat.size[0]) * u64::from(flat.size[1]));
+                    }
                     let mut prepared =
                         gpu::render::adaptive(gpu, &first, flat, Portions::default())?;
                     prepared.run(watch, keep)?;

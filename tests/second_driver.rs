@@ -79,6 +79,56 @@ fn knot() {
     assert_same_bits(&["assets/scenes/knot.toml"]);
 }
 
+/// It has no f64: `adaptive` traces rays in doubt again in two f32, and finds what the CPU
+/// finds in f64.
+#[test]
+fn tiers() {
+    let Some(driver) = swiftshader() else { return };
+    for scene in ["shapes", "planet", "slivers", "far-sphere"] {
+        for (tier, layers) in [
+            ("extended", "color,depth,normal,position,id"),
+            ("adaptive", "id"),
+        ] {
+            let folder = tempfile::tempdir().unwrap();
+            let pictures = ["gpu", "cpu"].map(|backend| {
+                let picture = folder.path().join(format!("{backend}.exr"));
+                let status = Command::new(env!("CARGO_BIN_EXE_rayproof"))
+                    .env("VK_DRIVER_FILES", &driver)
+                    .env("VK_ICD_FILENAMES", &driver)
+                    .args(["render", &format!("assets/scenes/{scene}.toml"), "--quiet"])
+                    .args([
+                        "--size",
+                        "160x120",
+                        "--accuracy",
+                        tier,
+                        "--backend",
+                        backend,
+                    ])
+                    .args(["--layer", layers, "-o", picture.to_str().unwrap()])
+                    .status();
+                assert!(status.unwrap().success(), "{scene} {tier} {backend}");
+                picture.to_str().unwrap().to_string()
+            });
+            let (figures, _) = compare(&driver, &[&pictures[0], &pictures[1]]);
+            assert_eq!(
+                figures["different_pixels"], 0,
+                "{scene} {tier}: {figures:#}"
+            );
+        }
+    }
+    // The control: another tier is noticed.
+    let arguments = ["--accuracy", "double", "--backend", "gpu", "-o", "x.exr"];
+    let refused = Command::new(env!("CARGO_BIN_EXE_rayproof"))
+        .env("VK_DRIVER_FILES", &driver)
+        .env("VK_ICD_FILENAMES", &driver)
+        .args(["render", "assets/scenes/shapes.toml"])
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("f64"));
+}
+
 /// Brute force takes 27 s on the models in full size and 60 s on the knot.
 #[test]
 fn without_volumes() {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::pool_of;
 use super::search::Search;
 use super::wide::Wide;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::found::Found;
 use crate::kernel::camera::Ray;
@@ -21,12 +21,14 @@ use crate::tier::Bounded;
 ///
 /// # Errors
 ///
-/// [`crate::Error::Limit`] when no threads can be had or a ray is given up.
+/// [`Error::Limit`] when no threads can be had, a ray is given up or the scene's volumes are
+/// a list.
 pub fn trace_rays<R: Real>(
     flat: &Flat<R>,
     rays: &[Ray<f32>],
     threads: Option<NonZeroUsize>,
 ) -> Result<Vec<Found>> {
+    refuse_lists(flat)?;
     let pool = pool_of(threads)?;
     let wide = pool.install(|| (!flat.pairs.is_empty()).then(|| Wide::new(flat)));
     pool.install(|| {
@@ -50,6 +52,7 @@ pub fn trace_adaptively(
     rays: &[Ray<f32>],
     threads: Option<NonZeroUsize>,
 ) -> Result<(Vec<Found>, u64)> {
+    refuse_lists(first)?;
     let pool = pool_of(threads)?;
     let has_tree = !first.pairs.is_empty();
     let wide = pool.install(|| has_tree.then(|| (Wide::new(first), Wide::new(second))));
@@ -75,6 +78,17 @@ pub fn trace_adaptively(
     Ok((
         found.into_iter().map(|(found, _)| found).collect(),
         retraced as u64,
+    ))
+}
+
+/// Volumes in a list, of which balls are padded for rays from the camera only.
+pub(crate) fn refuse_lists<R>(flat: &Flat<R>) -> Result<()> {
+    if flat.volumes.is_empty() {
+        return Ok(());
+    }
+    Err(Error::Limit(
+        "rays of a list go through a tree or through all shapes: take bounds `tree` or `none`"
+            .into(),
     ))
 }
 

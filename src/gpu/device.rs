@@ -143,10 +143,11 @@ impl Gpu {
                 "`extended` needs exact sums: on {name}, TwoSum does not give the error of a sum"
             )),
             Accuracy::Double | Accuracy::Adaptive if self.has_f64() => None,
-            Accuracy::Double | Accuracy::Adaptive => Some(format!(
-                "`{}` needs f64, which {name} has not",
-                accuracy.name()
-            )),
+            Accuracy::Double => Some(format!("`double` needs f64, which {name} has not")),
+            // Rays in doubt are then traced again in two f32.
+            Accuracy::Adaptive => self
+                .lacks(Accuracy::Extended)
+                .map(|_| format!("`adaptive` needs f64 or exact sums, and {name} has neither")),
         }
     }
 

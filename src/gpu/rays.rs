@@ -7,10 +7,12 @@ use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
 use super::program::Program;
+use super::render::may_retrace;
 use super::retrace::Retrace;
 use super::scene::PackedScene;
 use super::selfcheck::read;
 use super::stage::uniforms;
+use crate::cpu::rays::refuse_lists;
 use crate::effects::{Device, Entry, shader_files};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -18,7 +20,7 @@ use crate::found::{Found, given_up};
 use crate::kernel::camera::Ray;
 use crate::kernel::real::Real;
 use crate::layout::{Dispatch, Run};
-use crate::tier::{Bounded, Formulas};
+use crate::tier::{Bounded, Double, Formulas};
 
 /// Invocations of a workgroup of `trace_rays`.
 const WORKGROUP: u32 = 64;
@@ -43,10 +45,10 @@ pub fn trace_rays<R: Real>(gpu: &Gpu, flat: &Flat<R>, rays: &[Ray<f32>]) -> Resu
 /// # Errors
 ///
 /// As [`trace_rays`].
-pub fn trace_adaptively<S: Real>(
+pub fn trace_adaptively(
     gpu: &Gpu,
     first: &Flat<Bounded>,
-    second: &Flat<S>,
+    second: &Flat<Double>,
     rays: &[Ray<f32>],
 ) -> Result<(Vec<Found>, u64)> {
     let mut list = RayList::set_up(gpu, first, rays.len())?;
@@ -79,14 +81,12 @@ struct RayList {
 
 impl RayList {
     fn set_up<R: Real>(gpu: &Gpu, flat: &Flat<R>, rays: usize) -> Result<Self> {
+        refuse_lists(flat)?;
         let tests = flat.primitives() as usize;
-        let most = Portions::default().primitives_per_dispatch as usize;
-        if !flat.volumes.is_empty() || (flat.pairs.is_empty() && tests > most) {
-            return Err(Error::Limit(
-                "rays of a list go through a tree or, if a dispatch tests them all, through \
-                 the primitives"
-                    .into(),
-            ));
+        if !may_retrace(flat, Portions::default()) {
+            return Err(Error::Limit(format!(
+                "{tests} tests a ray are more than a dispatch makes: take bounds `tree`"
+            )));
         }
         let tests_per_ray = if flat.pairs.is_empty() {
             tests.max(1)

@@ -51,7 +51,7 @@ pub fn render<R: Real>(
 }
 
 /// A scene in f32 ready to be traced with bounds of the error, and in f64 for the rays in
-/// doubt: the same volumes in both.
+/// doubt, or in two f32 where the device has no f64: the same volumes in both.
 ///
 /// # Errors
 ///
@@ -63,6 +63,12 @@ pub fn adaptive<'a>(
     portions: Portions,
 ) -> Result<Prepared<'a, Bounded>> {
     Prepared::new(gpu, first, portions)?.with_second(second, portions)
+}
+
+/// Whether one dispatch can test everything, so that rays in doubt can be traced again.
+pub fn may_retrace<R>(flat: &Flat<R>, portions: Portions) -> bool {
+    let tests = flat.primitives() + flat.volumes.len() as u32;
+    !flat.pairs.is_empty() || tests <= portions.primitives_per_dispatch
 }
 
 /// Counts what each ray of a picture tests, with shaders that count.
@@ -164,13 +170,13 @@ impl<'a, R: Real> Prepared<'a, R> {
         })
     }
 
-    /// Has the rays that are in doubt traced again in other numbers: in those of `second`,
-    /// the same scene with the same volumes.
+    /// Has the rays that are in doubt traced again in wider numbers: `second` is the same
+    /// scene with the same volumes.
     ///
     /// # Errors
     ///
     /// As [`Prepared::new`]; [`Error::Limit`] where one dispatch cannot test everything.
-    pub fn with_second<S: Real>(mut self, second: &Flat<S>, portions: Portions) -> Result<Self> {
+    pub fn with_second(mut self, second: &Flat<Double>, portions: Portions) -> Result<Self> {
         let retrace = Retrace::set_up(
             self.gpu,
             second,

@@ -5,6 +5,7 @@ use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
 use super::program::Program;
+use super::render::may_retrace;
 use super::scene::PackedScene;
 use super::stage::uniforms;
 use super::tile::SLICES;
@@ -14,6 +15,7 @@ use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::Dispatch;
+use crate::tier::{Double, Extended};
 
 /// Rays of a list from which on it is long: some for each core of a large device.
 const LONG: u32 = 1 << 14;
@@ -46,19 +48,34 @@ impl Retrace {
     /// # Errors
     ///
     /// As of a render; [`Error::Limit`] where one dispatch cannot test everything.
-    pub(super) fn set_up<R: Real>(
+    pub(super) fn set_up(
+        gpu: &Gpu,
+        flat: &Flat<Double>,
+        entry: Entry,
+        shared: &[(&'static str, &wgpu::Buffer)],
+        portions: Portions,
+    ) -> Result<Self> {
+        if !may_retrace(flat, portions) {
+            return Err(Error::Limit(format!(
+                "{} tests a ray are more than a dispatch makes: add `--bounds tree`",
+                flat.primitives()
+            )));
+        }
+        if gpu.has_f64() {
+            Self::in_numbers(gpu, flat, entry, shared, portions)
+        } else {
+            let flat = flat.converted::<Extended>();
+            Self::in_numbers(gpu, &flat, entry, shared, portions)
+        }
+    }
+
+    fn in_numbers<R: Real>(
         gpu: &Gpu,
         flat: &Flat<R>,
         entry: Entry,
         shared: &[(&'static str, &wgpu::Buffer)],
         portions: Portions,
     ) -> Result<Self> {
-        let tests = flat.primitives() + flat.volumes.len() as u32;
-        if flat.pairs.is_empty() && tests > portions.primitives_per_dispatch {
-            return Err(Error::Limit(format!(
-                "{tests} tests a ray are more than a dispatch makes: add `--bounds tree`"
-            )));
-        }
         let scene = PackedScene::of(flat);
         let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
         let device = Device {

@@ -41,11 +41,12 @@ fn lists_of_volumes_are_refused_for_lists_of_rays() {
     let rays = aimed_rays(&super::aimed::hard_flat(), 10, 1);
     for accuracy in Accuracy::ALL {
         for bounds in [Bounds::Spheres { levels: 1 }, Bounds::Boxes { levels: 2 }] {
-            let error = widths(bounds)
-                .trace_rays(&gpu, accuracy, &rays)
-                .unwrap_err();
-            assert!(matches!(error, Error::Limit(_)), "{error:?}");
-            assert!(error.to_string().contains("tree"), "{error}");
+            for backend in [&gpu, &Backend::Cpu(None)] {
+                let refused = widths(bounds).trace_rays(backend, accuracy, &rays);
+                let error = refused.unwrap_err();
+                assert!(matches!(error, Error::Limit(_)), "{error:?}");
+                assert!(error.to_string().contains("tree"), "{error}");
+            }
         }
         // The controls.
         for bounds in [Bounds::Tree, Bounds::None] {
