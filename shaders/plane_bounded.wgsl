@@ -1,8 +1,8 @@
 // Where a ray meets a plane, and how far that may be off. The bounds are derived in
 // docs/numerics.md.
 
-// The error of height and slope, in parts of the lengths that they are made of: at most 13
-// roundings, 9 of them the direction's.
+// The error of height and slope, in parts of the lengths that they are made of: at most 12
+// roundings, 8 of them the direction's.
 const PLANE_ERROR: f32 = 16.0 / 16777216.0;
 
 // Where the ray meets the plane through `point`, within bounds.

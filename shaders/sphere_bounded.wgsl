@@ -9,7 +9,7 @@ const SQUARE_ERROR: f32 = 7.25 / 16777216.0;
 const RADIUS_ERROR: f32 = 3.25 / 16777216.0;
 
 // The error of b and of the power of a sphere that the camera is near, in parts of the
-// lengths that they are made of: at most 13 roundings, 9 of them the direction's.
+// lengths that they are made of: at most 12 roundings, 8 of them the direction's.
 const NEAR_ERROR: f32 = 16.0 / 16777216.0;
 
 // Where the ray meets the sphere, within bounds, wherever that is.

@@ -10,8 +10,8 @@ use super::real::{Real, constant};
 use super::vector::{Vec3, dot_product, taxicab_length};
 use crate::layout::Plane;
 
-/// The error of height and slope, in parts of the lengths that they are made of: at most 13
-/// roundings, 9 of them the direction's.
+/// The error of height and slope, in parts of the lengths that they are made of: at most 12
+/// roundings, 8 of them the direction's.
 pub const PLANE_ERROR: f32 = 16.0 / 16_777_216.0;
 
 /// Where the ray meets the plane through `point`, within bounds.
