@@ -12,7 +12,7 @@ fn directional_irradiance(light: LightRecord, normal: vec3<f32>) -> vec3<f32> {
 
 // `light` and what all directional lights add to it.
 fn add_directional_lights(normal: vec3<f32>, light: vec3<f32>) -> vec3<f32> {
-    let end = hidden_end(tables.light_count);
+    let end = hidden_end(tables.light_count, normal.x);
     var sum = light;
     for (var i = surroundings.point_lights; i < end; i++) {
         sum = sum + directional_irradiance(light_at(i), normal);

@@ -122,6 +122,10 @@ struct Dispatch {
     slices: u32,
     steps: u32,
     last: u32,
+    first_doubtful: u32,
+    padding_0: u32,
+    padding_1: u32,
+    padding_2: u32,
 }
 
 struct HitRecord {

@@ -8,7 +8,7 @@ fn plane_at(row: u32) -> Plane {
 
 // Tests every plane of the dispatch.
 fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
-    let end = hidden_end(dispatch.planes.end);
+    let end = hidden_end(dispatch.planes.end, probe.slabs.inverse.x);
     for (var row = dispatch.planes.begin; row < end; row++) {
         let meeting = meet_plane(probe, plane_at(row));
         count_test(hit);

@@ -18,7 +18,7 @@ fn point_irradiance(light: LightRecord, position: vec3<f32>, normal: vec3<f32>) 
 
 // `light` and what all point lights add to it.
 fn add_point_lights(position: vec3<f32>, normal: vec3<f32>, light: vec3<f32>) -> vec3<f32> {
-    let end = hidden_end(surroundings.point_lights);
+    let end = hidden_end(surroundings.point_lights, normal.x);
     var sum = light;
     for (var i = 0u; i < end; i++) {
         sum = sum + point_irradiance(light_at(i), position, normal);

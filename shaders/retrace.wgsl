@@ -3,8 +3,9 @@
 // How many there are, then which, as the first pass left them.
 @group(0) @binding(10) var<storage, read_write> doubtful: array<u32>;
 
-// Finds the closest hit of the pixel at a place of the list anew, and colours it.
-fn retrace_pixel(place: u32) {
+// Finds the closest hit of the pixel at a place of the dispatch's portion of the list anew, and colours it.
+fn retrace_pixel(of_portion: u32) {
+    let place = dispatch.first_doubtful + of_portion;
     if place >= doubtful[0] {
         return;
     }

@@ -3,8 +3,9 @@
 // How many there are, then which, as the first pass left them.
 @group(0) @binding(10) var<storage, read_write> doubtful: array<u32>;
 
-// Finds the closest hit of the ray at a place of the list anew.
-fn retrace_ray(place: u32) {
+// Finds the closest hit of the ray at a place of the dispatch's portion of the list anew.
+fn retrace_ray(of_portion: u32) {
+    let place = dispatch.first_doubtful + of_portion;
     if place < doubtful[0] {
         _ = trace_ray(doubtful[1u + place]);
     }

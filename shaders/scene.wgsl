@@ -5,14 +5,14 @@ fn word_at(table: u32, index: u32) -> u32 {
     return fetch_word(4u * table + index);
 }
 
-// No word of a scene has these bits: a NaN as a coordinate, and too large for an index.
+// The bits of a NaN that no arithmetic makes.
 const NEVER: u32 = 0x7fc12345u;
 
-// The end of a loop that a uniform gives, hidden from the driver. One that sees it may
-// compile the shader anew for each dispatch, to make the end a constant: lavapipe does,
-// and spends two milliseconds on it.
-fn hidden_end(end: u32) -> u32 {
-    return select(end, 0u, fetch_word(0u) == NEVER);
+// The end of a loop that a uniform gives, hidden from the driver behind a number of the ray.
+// One that sees it may compile the shader anew for each dispatch, to make the end a
+// constant: lavapipe does, and spends two milliseconds on it.
+fn hidden_end(end: u32, number: f32) -> u32 {
+    return select(end, 0u, bitcast<u32>(number) == NEVER);
 }
 
 // Quad `index` of a table, as f32.

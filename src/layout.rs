@@ -325,6 +325,10 @@ records! {
         steps: u32,
         /// 1 in a tile's last dispatch, after which no ray may be on its way, else 0.
         last: u32,
+        /// Of a list of rays in doubt, the first that the dispatch is for.
+        first_doubtful: u32,
+        /// Unused.
+        padding: [u32; 3],
     }
 
     /// A pixel's closest hit so far, carried from one dispatch to the next.

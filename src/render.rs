@@ -13,7 +13,7 @@ use crate::flat::Flat;
 use crate::flatten::flatten;
 use crate::frame::Frame;
 use crate::gpu::device::Gpu;
-use crate::gpu::render::Portions;
+use crate::gpu::render::{Portions, adaptive, may_retrace};
 use crate::kernel::real::Real;
 use crate::layout::Pixel;
 use crate::scene::Scene;
@@ -180,6 +180,11 @@ pub fn render(
         Accuracy::Extended => plainly::<Extended>(scene, backend, settings, watch),
         Accuracy::Double => plainly::<Double>(scene, backend, settings, watch),
         Accuracy::Adaptive => run::<Double>(scene, backend, settings, &mut |flat, keep| {
+            if !may_retrace(flat, Portions::default()) {
+                // So many primitives by brute force, or lights: in f64 from the beginning.
+                trace_plainly(flat, backend, watch, keep)?;
+                return Ok(u64::from(flat.size[0]) * u64::from(flat.size[1]));
+            }
             let first = flat.converted::<Bounded>();
             match backend {
                 Backend::Cpu(threads) => {
@@ -188,13 +193,7 @@ pub fn render(
                     Ok(prepared.retraced())
                 }
                 Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-                    if gpu.has_f64() && !gpu::render::may_retrace(flat, Portions::default()) {
-                        // By brute force over so much, in f64 from the beginning.
-                        gpu::render::render(gpu, flat, Portions::default(), watch, keep)?;
-                        return Ok(u64::from(flat.size[0]) * u64::from(flat.size[1]));
-                    }
-                    let mut prepared =
-                        gpu::render::adaptive(gpu, &first, flat, Portions::default())?;
+                    let mut prepared = adaptive(gpu, &first, flat, Portions::default())?;
                     prepared.run(watch, keep)?;
                     Ok(prepared.retraced())
                 }),
@@ -211,14 +210,23 @@ fn plainly<R: Real>(
     watch: &dyn Watch,
 ) -> Result<Rendering> {
     run::<R>(scene, backend, settings, &mut |flat, keep| {
-        match backend {
-            Backend::Cpu(threads) => cpu::render(flat, *threads, watch, keep)?,
-            Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-                gpu::render::render(gpu, flat, Portions::default(), watch, keep)
-            })?,
-        }
+        trace_plainly(flat, backend, watch, keep)?;
         Ok(0)
     })
+}
+
+fn trace_plainly<R: Real>(
+    flat: &Flat<R>,
+    backend: &Backend,
+    watch: &dyn Watch,
+    keep: &mut KeepRows<'_>,
+) -> Result<()> {
+    match backend {
+        Backend::Cpu(threads) => cpu::render(flat, *threads, watch, keep),
+        Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
+            gpu::render::render(gpu, flat, Portions::default(), watch, keep)
+        }),
+    }
 }
 
 /// Counts what each ray of a picture tests, in a pass of its own: with a shader that

@@ -109,6 +109,10 @@ impl Widths {
             Accuracy::Robust => plain(backend, &self.robust, portions),
             Accuracy::Extended => plain(backend, &self.extended, portions),
             Accuracy::Double => plain(backend, &self.double, portions),
+            // So many primitives by brute force, or lights: in f64 from the beginning.
+            Accuracy::Adaptive if !gpu::render::may_retrace(&self.double, portions) => {
+                plain(backend, &self.double, portions)
+            }
             Accuracy::Adaptive => Ok(match backend {
                 Backend::Cpu(threads) => {
                     let prepared = cpu::Prepared::new(&self.bounded, *threads)?;

@@ -53,9 +53,7 @@ pub(super) fn run(arguments: &AccuracyArguments, common: &Common) -> Result<Outc
             let (reason, tiers) = match rows {
                 Ok(rows) => (None, rows),
                 // A scene may be too large or too far at some step.
-                Err(Error::Usage(reason)) if !results.levels.is_empty() => {
-                    (Some(reason), Vec::new())
-                }
+                Err(Error::Usage(reason) | Error::Limit(reason)) => (Some(reason), Vec::new()),
                 Err(error) => return Err(error),
             };
             results.levels.push(LevelRows {
@@ -63,6 +61,17 @@ pub(super) fn run(arguments: &AccuracyArguments, common: &Common) -> Result<Outc
                 reason,
                 tiers,
             });
+        }
+        if let [
+            LevelRows {
+                reason: Some(reason),
+                ..
+            },
+            rest @ ..,
+        ] = results.levels.as_slice()
+            && rest.iter().all(|level| level.reason.is_some())
+        {
+            return Err(Error::Usage(reason.clone()));
         }
     } else {
         let level = Level::of(&scene, bounds, common)?;

@@ -139,9 +139,18 @@ impl Gpu {
             {
                 None
             }
-            Accuracy::Extended => Some(format!(
-                "`extended` needs exact sums: on {name}, TwoSum does not give the error of a sum"
-            )),
+            Accuracy::Extended => {
+                let reason = if !self.arithmetic.two_sum {
+                    "TwoSum does not give the error of a sum there"
+                } else if !self.arithmetic.two_prod {
+                    "TwoProd does not give the error of a product there"
+                } else {
+                    "it takes no SPIR-V that would keep the driver from rearranging sums"
+                };
+                Some(format!(
+                    "`extended` needs exact sums, and {name} has none: {reason}"
+                ))
+            }
             Accuracy::Double | Accuracy::Adaptive if self.has_f64() => None,
             Accuracy::Double => Some(format!("`double` needs f64, which {name} has not")),
             // Rays in doubt are then traced again in two f32.

@@ -6,7 +6,7 @@ use super::tile::WORKGROUP;
 
 /// How long a dispatch should take: long enough that starting it costs little,
 /// short enough to be smooth and far from any watchdog.
-const DISPATCH_TIME: Duration = Duration::from_millis(75);
+pub(super) const DISPATCH_TIME: Duration = Duration::from_millis(75);
 
 /// Shape tests a second before anything was measured: slow software.
 const FIRST_GUESS: f64 = 1e7;

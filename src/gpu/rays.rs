@@ -7,7 +7,6 @@ use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
 use super::program::Program;
-use super::render::may_retrace;
 use super::retrace::Retrace;
 use super::scene::PackedScene;
 use super::selfcheck::read;
@@ -21,6 +20,7 @@ use crate::kernel::camera::Ray;
 use crate::kernel::real::Real;
 use crate::layout::{Dispatch, Run};
 use crate::tier::{Bounded, Double, Formulas};
+use crate::watch::Unwatched;
 
 /// Invocations of a workgroup of `trace_rays`.
 const WORKGROUP: u32 = 64;
@@ -83,7 +83,8 @@ impl RayList {
     fn set_up<R: Real>(gpu: &Gpu, flat: &Flat<R>, rays: usize) -> Result<Self> {
         refuse_lists(flat)?;
         let tests = flat.primitives() as usize;
-        if !may_retrace(flat, Portions::default()) {
+        let most = Portions::default().primitives_per_dispatch as usize;
+        if flat.pairs.is_empty() && tests > most {
             return Err(Error::Limit(format!(
                 "{tests} tests a ray are more than a dispatch makes: take bounds `tree`"
             )));
@@ -165,7 +166,7 @@ impl RayList {
             self.kernel
                 .run(gpu, "trace_rays", &groups, workgroups, None)?;
             if let Some(retrace) = &mut self.retrace {
-                retrace.run(gpu, &self.doubtful, &orders, None)?;
+                retrace.run(gpu, &self.doubtful, &orders, None, &Unwatched)?;
             }
             for quad in read::<[u32; 4]>(gpu, &self.found, rays.len())? {
                 found.push(unpack(quad)?);

@@ -65,10 +65,11 @@ pub fn adaptive<'a>(
     Prepared::new(gpu, first, portions)?.with_second(second, portions)
 }
 
-/// Whether one dispatch can test everything, so that rays in doubt can be traced again.
+/// Whether one dispatch can search and colour, so that rays in doubt can be traced again.
 pub fn may_retrace<R>(flat: &Flat<R>, portions: Portions) -> bool {
     let tests = flat.primitives() + flat.volumes.len() as u32;
-    !flat.pairs.is_empty() || tests <= portions.primitives_per_dispatch
+    let searched_at_once = !flat.pairs.is_empty() || tests <= portions.primitives_per_dispatch;
+    searched_at_once && flat.lights.len() <= FEW_LIGHTS
 }
 
 /// Counts what each ray of a picture tests, with shaders that count.
@@ -257,8 +258,8 @@ impl<'a, R: Real> Prepared<'a, R> {
             }
             if let Some(retrace) = &mut self.retrace {
                 let orders = tile.all_orders(self.flat);
-                seconds.trace +=
-                    retrace.run(self.gpu, &self.stage.doubtful, &orders, self.stage.clock())?;
+                let (list, clock) = (&self.stage.doubtful, self.stage.clock());
+                seconds.trace += retrace.run(self.gpu, list, &orders, clock, watch)?;
             }
             let mut checked = Ok(());
             let mut tests = Vec::new();

@@ -1,8 +1,11 @@
 //! The second pass of the adaptive tier: rays in doubt, once more in wider numbers.
 
+use std::time::{Duration, Instant};
+
 use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
+use super::pace::DISPATCH_TIME;
 use super::portions::Portions;
 use super::program::Program;
 use super::render::may_retrace;
@@ -16,9 +19,14 @@ use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::Dispatch;
 use crate::tier::{Double, Extended};
+use crate::watch::Watch;
 
 /// Rays of a list from which on it is long: some for each core of a large device.
 const LONG: u32 = 1 << 14;
+
+/// Rays of a dispatch at least and at most.
+const FEWEST: u32 = 64;
+const MOST: u32 = 1 << 20;
 
 /// Entry point for a list, and its workgroups: of 8 rays in slices, or of 64.
 fn entry_for(count: u32) -> (&'static str, [u32; 3]) {
@@ -38,6 +46,8 @@ pub(super) struct Retrace {
     dispatch: wgpu::Buffer,
     /// Where the length of the list is copied to be read; none where it is read in place.
     staging: Option<wgpu::Buffer>,
+    /// Rays of the next dispatch.
+    portion: u32,
     rays: u64,
 }
 
@@ -57,8 +67,10 @@ impl Retrace {
     ) -> Result<Self> {
         if !may_retrace(flat, portions) {
             return Err(Error::Limit(format!(
-                "{} tests a ray are more than a dispatch makes: add `--bounds tree`",
-                flat.primitives()
+                "{} primitives and {} lights are more than a dispatch goes through for a ray \
+                 in doubt: take bounds `tree`, or accuracy `double`",
+                flat.primitives(),
+                flat.lights.len()
             )));
         }
         if gpu.has_f64() {
@@ -112,6 +124,7 @@ impl Retrace {
             scene,
             dispatch,
             staging: staging.transpose()?,
+            portion: LONG,
             rays: 0,
         })
     }
@@ -126,30 +139,56 @@ impl Retrace {
         self.rays
     }
 
-    /// Traces the rays of the list, and empties it; gives the seconds by `clock`.
+    /// Traces the rays of the list, portion by portion, and empties it; gives the seconds by
+    /// `clock`.
     ///
     /// # Errors
     ///
-    /// As [`Gpu::wait`].
+    /// As [`Gpu::wait`]; [`Error::Interrupted`] when `watch` says so.
     pub(super) fn run(
         &mut self,
         gpu: &Gpu,
         doubtful: &wgpu::Buffer,
         orders: &Dispatch,
         clock: Option<&Clock>,
+        watch: &dyn Watch,
     ) -> Result<f64> {
         let count = self.read_count(gpu, doubtful)?;
         self.rays += u64::from(count);
-        if count == 0 {
-            return Ok(0.0);
+        let mut seconds = 0.0;
+        let mut first = 0;
+        while first < count {
+            if watch.cancelled() {
+                return Err(Error::Interrupted);
+            }
+            let portion = self.portion.min(count - first);
+            let orders = Dispatch {
+                first_doubtful: first,
+                ..*orders
+            };
+            gpu.queue
+                .write_buffer(&self.dispatch, 0, bytemuck::bytes_of(&orders));
+            let (entry, workgroups) = entry_for(portion);
+            let groups = [&self.frame, &self.scene];
+            let started = Instant::now();
+            seconds += self.kernel.run(gpu, entry, &groups, workgroups, clock)?;
+            self.learn(portion, started.elapsed());
+            first += portion;
         }
-        gpu.queue
-            .write_buffer(&self.dispatch, 0, bytemuck::bytes_of(orders));
-        let (entry, workgroups) = entry_for(count);
-        let groups = [&self.frame, &self.scene];
-        let seconds = self.kernel.run(gpu, entry, &groups, workgroups, clock)?;
-        gpu.queue.write_buffer(doubtful, 0, &[0; 4]);
+        if count > 0 {
+            gpu.queue.write_buffer(doubtful, 0, &[0; 4]);
+        }
         Ok(seconds)
+    }
+
+    /// Takes a finished dispatch into account: the next one of its size is to take
+    /// [`DISPATCH_TIME`], and it may only quadruple, for the first may have held the
+    /// driver's compiling.
+    fn learn(&mut self, rays: u32, took: Duration) {
+        let took = took.max(Duration::from_micros(1)).as_secs_f64();
+        let wanted = f64::from(rays) * DISPATCH_TIME.as_secs_f64() / took;
+        let most = f64::from(self.portion) * 4.0;
+        self.portion = (wanted.min(most) as u32).clamp(FEWEST, MOST);
     }
 
     fn read_count(&self, gpu: &Gpu, doubtful: &wgpu::Buffer) -> Result<u32> {

@@ -75,6 +75,8 @@ impl Tile {
             slices: slices.min(self.rows.div_ceil(WORKGROUP)),
             steps: rows.end - rows.start,
             last: 1,
+            first_doubtful: 0,
+            padding: [0; 3],
         }
     }
 }

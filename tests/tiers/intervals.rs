@@ -148,6 +148,7 @@ fn tally_rays(case: &str, wide: &Flat<f64>, rays: &[(Ray<Bounded>, Ray<f64>)]) -
 /// There are hits, so many of them in doubt, and narrower intervals would not hold.
 fn control(total: [Tally; 4], doubtful: u64) {
     for (kind, tally) in KINDS.iter().zip(total) {
+        println!("{kind}: {:.2} of a half interval at most", tally.most);
         assert!(
             tally.certain > 500 && tally.doubtful >= doubtful,
             "{kind}: {tally:?}"

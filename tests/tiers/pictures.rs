@@ -103,3 +103,20 @@ fn adaptive_sees_what_double_sees_at_every_scale() {
     assert!(hits > 10_000, "{hits}");
     assert!(changed > 100, "{changed}");
 }
+
+/// One dispatch cannot search and go through so many lights: lavapipe would stop it.
+#[test]
+fn many_lights_are_not_lost_on_rays_in_doubt() {
+    let mut scene = scene("shapes").with_size(8, 6);
+    // Each ray is in doubt: every sphere is there twice.
+    let twice = scene.shapes.clone();
+    scene.shapes.extend(twice);
+    let light = scene.lights[0];
+    scene.lights = vec![light; 39_000];
+    let [cpu, gpu] = backends();
+    for accuracy in [Accuracy::Robust, Accuracy::Adaptive] {
+        let [(on_cpu, _), (on_gpu, _)] =
+            [&cpu, &gpu].map(|backend| render(&scene, backend, accuracy, Bounds::Tree));
+        assert_same_bits(&on_cpu, &on_gpu);
+    }
+}

@@ -82,19 +82,23 @@ impl Level {
             for &tier in tiers {
                 match backend.lacks(tier) {
                     Some(reason) => rows.push(Row::unavailable(backend, tier, reason)),
-                    None => cases.push(Case {
-                        backend,
-                        tier,
-                        tracer: self.exact.tracer(backend, tier, false)?,
-                        timed: match backend {
-                            Backend::Gpu(gpu) if gpu.has_clock() => {
-                                Some(self.exact.tracer(backend, tier, true)?)
-                            }
-                            _ => None,
-                        },
-                        device_seconds: Vec::new(),
-                        frame: Frame::new(self.exact_frame.width, self.exact_frame.height)?,
-                    }),
+                    None => {
+                        // What it cannot do is told now, not after the runs.
+                        self.rounded.trace_rays(backend, tier, &[])?;
+                        cases.push(Case {
+                            backend,
+                            tier,
+                            tracer: self.exact.tracer(backend, tier, false)?,
+                            timed: match backend {
+                                Backend::Gpu(gpu) if gpu.has_clock() => {
+                                    Some(self.exact.tracer(backend, tier, true)?)
+                                }
+                                _ => None,
+                            },
+                            device_seconds: Vec::new(),
+                            frame: Frame::new(self.exact_frame.width, self.exact_frame.height)?,
+                        })
+                    }
                 }
             }
         }

@@ -174,10 +174,7 @@ impl Results {
         rows.extend(self.adapter.clone().map(|adapter| ("adapter", adapter)));
         rows.push((
             "measured",
-            format!(
-                "wall time of a picture, and time by the device's clock; \
-                 {warmup} + {runs} runs, interleaved"
-            ),
+            format!("wall time of a picture; {warmup} + {runs} runs, interleaved"),
         ));
         let mut text = table(&rows) + "\n";
         if self.levels.is_empty() {
@@ -200,6 +197,9 @@ impl Results {
         }
         text += "wrong, ulp: the same rays and shapes in f32, against the exact answer; \
                  all wrong, 99 %: the whole picture\n";
+        if self.adapter.is_some() {
+            text += "device ms: by the device's clock, search and colouring in passes apart\n";
+        }
         let levels = self.levels.iter().flat_map(|level| &level.tiers);
         let mut reasons: Vec<&String> = Vec::new();
         for reason in self
