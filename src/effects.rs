@@ -44,6 +44,7 @@ const ALWAYS: &[Source] = &[
     file!("camera.wgsl"),
     file!("aabb.wgsl"),
     file!("own_box.wgsl"),
+    file!("offset.wgsl"),
     file!("probe.wgsl"),
     file!("hit.wgsl"),
     file!("doubt_off.wgsl"),
@@ -55,6 +56,7 @@ const ALWAYS: &[Source] = &[
 /// In place of which files a textbook's are taken.
 const TEXTBOOK: &[(&str, Source)] = &[
     ("own_box.wgsl", file!("own_box_textbook.wgsl")),
+    ("offset.wgsl", file!("offset_textbook.wgsl")),
     ("sphere.wgsl", file!("sphere_textbook.wgsl")),
     ("plane.wgsl", file!("plane_textbook.wgsl")),
     ("triangle.wgsl", file!("triangle_textbook.wgsl")),

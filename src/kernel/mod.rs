@@ -27,6 +27,7 @@ pub mod doubt;
 pub mod hit;
 pub mod lambert;
 pub mod near_spheres;
+pub mod offset;
 pub mod own_box;
 pub mod plane;
 pub mod plane_bounded;

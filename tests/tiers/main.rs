@@ -5,6 +5,7 @@ mod aimed;
 #[path = "../common/mod.rs"]
 mod common;
 mod intervals;
+mod leaving;
 mod pictures;
 mod refusals;
 mod table;
