@@ -6,6 +6,7 @@ use rayproof::kernel::aabb::HUGE;
 use rayproof::kernel::cone::{CONE_SLACK, WIDE};
 use rayproof::kernel::doubt::{ERROR, WIDE_INTERVAL};
 use rayproof::kernel::hit::GIVEN_UP;
+use rayproof::kernel::offset::{FIXED_OFFSET, OFFSET};
 use rayproof::kernel::own_box::{PADDING, SLACK};
 use rayproof::kernel::plane_bounded::PLANE_ERROR;
 use rayproof::kernel::plane_textbook::PARALLEL;
@@ -259,6 +260,8 @@ fn constants_are_the_hosts() {
     let aabb = include_str!("../shaders/aabb.wgsl");
     let cone = include_str!("../shaders/cone.wgsl");
     let doubt = include_str!("../shaders/doubt_on.wgsl");
+    let offset = include_str!("../shaders/offset.wgsl");
+    let offset_textbook = include_str!("../shaders/offset_textbook.wgsl");
     let own_box = include_str!("../shaders/own_box.wgsl");
     let plane_bounded = include_str!("../shaders/plane_bounded.wgsl");
     let plane_textbook = include_str!("../shaders/plane_textbook.wgsl");
@@ -271,6 +274,8 @@ fn constants_are_the_hosts() {
         (cone, "CONE_SLACK", CONE_SLACK),
         (doubt, "ERROR", ERROR),
         (doubt, "WIDE_INTERVAL", WIDE_INTERVAL),
+        (offset, "OFFSET", OFFSET),
+        (offset_textbook, "FIXED_OFFSET", FIXED_OFFSET),
         (own_box, "PADDING", PADDING),
         (own_box, "SLACK", SLACK),
         (plane_bounded, "PLANE_ERROR", PLANE_ERROR),
