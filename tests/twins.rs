@@ -138,9 +138,10 @@ fn every_shader_has_a_twin_or_a_reason() {
 }
 
 /// Shader files that stand in for another one, which has the twin.
-const FORMS: [(&str, &str); 5] = [
+const FORMS: [(&str, &str); 6] = [
     ("doubt_off", "doubt_on"),
     ("own_box_textbook", "own_box"),
+    ("offset_textbook", "offset"),
     ("divide_corrected", "divide_native"),
     ("real_f64", "real_f32"),
     ("real_two", "real_f32"),
