@@ -1,28 +1,20 @@
-// The pixels of a tile whose rays are in doubt, one invocation each.
+// Rays in doubt, from a list, one invocation each.
 
 // How many there are, then which, as the first pass left them.
 @group(0) @binding(10) var<storage, read_write> doubtful: array<u32>;
 
-// Finds the closest hit of the pixel at a place of the dispatch's portion of the list anew, and colours it.
-fn retrace_pixel(of_portion: u32) {
+// Traces the ray at a place of the dispatch's portion of the list anew.
+fn retrace_at(of_portion: u32) {
     let place = dispatch.first_doubtful + of_portion;
-    if place >= doubtful[0] {
-        return;
+    if place < doubtful[0] {
+        trace_anew(doubtful[1u + place]);
     }
-    let index = doubtful[1u + place];
-    let x = index % dispatch.size.x;
-    let y = dispatch.first_row + index / dispatch.size.x;
-    let ray = camera_ray(dispatch.size, x, y);
-    var hit = no_hit();
-    hit.tile = tile_of(dispatch.size, x, y);
-    closest_hit(probe_of(ray), &hit);
-    pixels[index] = shade(ray, hit);
 }
 
 // A long list.
 @compute @workgroup_size(64)
 fn retrace(@builtin(global_invocation_id) at: vec3<u32>) {
-    retrace_pixel(at.x);
+    retrace_at(at.x);
 }
 
 // A short list, dealt out in slices to as many threads as there are: its rays have little in
@@ -33,5 +25,5 @@ fn retrace_few(
     @builtin(num_workgroups) workgroups: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    retrace_pixel(8u * (workgroup.z * workgroups.x + workgroup.x) + lane);
+    retrace_at(8u * (workgroup.z * workgroups.x + workgroup.x) + lane);
 }

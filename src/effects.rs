@@ -140,9 +140,19 @@ impl Entry {
     fn files(self) -> &'static [Source] {
         match self {
             Self::Tile => const { &[file!("tile.wgsl")] },
-            Self::DoubtfulPixels => const { &[file!("retrace.wgsl")] },
+            Self::DoubtfulPixels => {
+                const { &[file!("retrace.wgsl"), file!("retrace_pixels.wgsl")] }
+            }
             Self::Rays => const { &[file!("rays.wgsl"), file!("trace_rays.wgsl")] },
-            Self::DoubtfulRays => const { &[file!("rays.wgsl"), file!("retrace_rays.wgsl")] },
+            Self::DoubtfulRays => {
+                const {
+                    &[
+                        file!("rays.wgsl"),
+                        file!("retrace.wgsl"),
+                        file!("retrace_rays.wgsl"),
+                    ]
+                }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What a ray of a list finds.
 
 use crate::error::{Error, Result};
+use crate::flat::Flat;
 use crate::kernel::hit::{GIVEN_UP, Hit};
 use crate::kernel::real::Real;
 use crate::layout::NO_HIT;
@@ -37,4 +38,16 @@ impl Found {
 /// A ray was given up on its way.
 pub(crate) fn given_up() -> Error {
     Error::Limit("a ray meets too many volumes: add `--bounds none`".into())
+}
+
+/// Refuses a scene with a list of volumes, of which balls are padded for rays from the camera
+/// only.
+pub(crate) fn refuse_lists<R>(flat: &Flat<R>) -> Result<()> {
+    if flat.volumes.is_empty() {
+        return Ok(());
+    }
+    Err(Error::Limit(
+        "rays of a list go through a tree or through all shapes: take bounds `tree` or `none`"
+            .into(),
+    ))
 }

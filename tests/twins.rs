@@ -119,6 +119,7 @@ fn every_shader_has_a_twin_or_a_reason() {
         "rays",
         "trace_rays",
         "retrace",
+        "retrace_pixels",
         "retrace_rays",
     ];
     let stems = stems();

@@ -73,7 +73,7 @@ pub fn exact_rays(flat: &Flat<f64>) -> Vec<Ray<f64>> {
 
 /// The same rays as the tracers in f32 have them.
 pub fn rounded_rays(flat: &Flat<f64>) -> Vec<Ray<f32>> {
-    let camera = flat.converted::<f32>().camera;
+    let camera = flat.camera.converted::<f32>();
     pixels(flat.size)
         .map(|(x, y)| camera_ray(&camera, flat.size, x, y))
         .collect()

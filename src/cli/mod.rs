@@ -12,6 +12,7 @@ mod faults;
 mod flags;
 mod memory;
 mod mesh;
+mod plan_flags;
 mod progress;
 mod render;
 mod report;

@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use super::pool_of;
 use super::search::Search;
 use super::wide::Wide;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::flat::Flat;
-use crate::found::Found;
+use crate::found::{Found, refuse_lists};
 use crate::kernel::camera::Ray;
 use crate::kernel::doubt::is_in_doubt;
 use crate::kernel::hit::{Hit, no_hit};
@@ -21,7 +21,7 @@ use crate::tier::Bounded;
 ///
 /// # Errors
 ///
-/// [`Error::Limit`] when no threads can be had, a ray is given up or the scene's volumes are
+/// [`crate::Error::Limit`] when no threads can be had, a ray is given up or the scene's volumes are
 /// a list.
 pub fn trace_rays<R: Real>(
     flat: &Flat<R>,
@@ -78,17 +78,6 @@ pub fn trace_adaptively(
     Ok((
         found.into_iter().map(|(found, _)| found).collect(),
         retraced as u64,
-    ))
-}
-
-/// Volumes in a list, of which balls are padded for rays from the camera only.
-pub(crate) fn refuse_lists<R>(flat: &Flat<R>) -> Result<()> {
-    if flat.volumes.is_empty() {
-        return Ok(());
-    }
-    Err(Error::Limit(
-        "rays of a list go through a tree or through all shapes: take bounds `tree` or `none`"
-            .into(),
     ))
 }
 

@@ -12,14 +12,7 @@ impl<R: Real> Flat<R> {
     pub fn converted<S: Real>(&self) -> Flat<S> {
         Flat {
             size: self.size,
-            camera: CameraRecord {
-                right: self.camera.right.map(convert),
-                offset_x: convert(self.camera.offset_x),
-                up: self.camera.up.map(convert),
-                offset_y: convert(self.camera.offset_y),
-                forward: self.camera.forward.map(convert),
-                padding: S::ZERO,
-            },
+            camera: self.camera.converted(),
             surroundings: self.surroundings,
             lights: self.lights.clone(),
             materials: self.materials.clone(),
@@ -39,6 +32,20 @@ impl<R: Real> Flat<R> {
             tile_words: self.tile_words,
             tile_masks: OnceLock::new(),
             pairs: self.pairs.clone(),
+        }
+    }
+}
+
+impl<R: Real> CameraRecord<R> {
+    /// The same camera in other numbers.
+    pub fn converted<S: Real>(&self) -> CameraRecord<S> {
+        CameraRecord {
+            right: self.right.map(convert),
+            offset_x: convert(self.offset_x),
+            up: self.up.map(convert),
+            offset_y: convert(self.offset_y),
+            forward: self.forward.map(convert),
+            padding: S::ZERO,
         }
     }
 }

@@ -14,6 +14,7 @@ mod divide_tests;
 pub mod exact;
 pub mod fetch_probe;
 mod kernel;
+mod loaded;
 mod memory;
 mod pace;
 mod portions;

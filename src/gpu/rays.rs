@@ -4,18 +4,16 @@ use wgpu::BufferUsages;
 
 use super::device::Gpu;
 use super::kernel::Kernel;
-use super::memory::{SceneMemory, best_fetch};
+use super::loaded::Loaded;
 use super::portions::Portions;
-use super::program::Program;
+use super::render::searches_at_once;
 use super::retrace::Retrace;
-use super::scene::PackedScene;
 use super::selfcheck::read;
 use super::stage::uniforms;
-use crate::cpu::rays::refuse_lists;
-use crate::effects::{Device, Entry, shader_files};
+use crate::effects::Entry;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
-use crate::found::{Found, given_up};
+use crate::found::{Found, given_up, refuse_lists};
 use crate::kernel::camera::Ray;
 use crate::kernel::real::Real;
 use crate::layout::{Dispatch, Run};
@@ -83,8 +81,8 @@ impl RayList {
     fn set_up<R: Real>(gpu: &Gpu, flat: &Flat<R>, rays: usize) -> Result<Self> {
         refuse_lists(flat)?;
         let tests = flat.primitives() as usize;
-        let most = Portions::default().primitives_per_dispatch as usize;
-        if flat.pairs.is_empty() && tests > most {
+        let portions = Portions::default();
+        if !searches_at_once(flat, portions) {
             return Err(Error::Limit(format!(
                 "{tests} tests a ray are more than a dispatch makes: take bounds `tree`"
             )));
@@ -95,19 +93,7 @@ impl RayList {
             1
         };
         let portion = (MOST_TESTS / tests_per_ray).min(MOST_RAYS).min(rays.max(1));
-        let scene = PackedScene::of(flat);
-        let fetch = best_fetch(gpu, &scene);
-        let device = Device {
-            count: false,
-            formulas: R::FORMULAS,
-            width: R::WIDTH,
-            entry: Entry::Rays,
-            divide: gpu.arithmetic.divide_file(),
-            fetch,
-        };
-        let files = shader_files(&flat.counts(), device);
-        let kernel = gpu.compile(&Program::in_width(&files, R::WIDTH)?)?;
-        let memory = SceneMemory::upload(gpu, &scene, fetch)?;
+        let loaded = Loaded::new(gpu, flat, Entry::Rays, portions, &|_| {})?;
         let filled = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let working = filled | BufferUsages::COPY_SRC;
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
@@ -124,19 +110,16 @@ impl RayList {
         };
         let list_bytes = (list * size_of::<u32>()) as u64;
         let doubtful = gpu.create_buffer("doubtful", list_bytes, readable)?;
-        let mut frame = uniforms(gpu, flat, &scene.tables)?;
+        let mut frame = uniforms(gpu, flat, &loaded.tables)?;
         frame.extend([
             ("dispatch", dispatch.clone()),
             ("rays", rays.clone()),
             ("found", found.clone()),
             ("doubtful", doubtful.clone()),
         ]);
-        let frame = kernel.bind(gpu, 0, |name| {
-            frame.get(name).map(|buffer| buffer.as_entire_binding())
-        })?;
-        let scene = kernel.bind(gpu, 1, |name| (name == "scene").then(|| memory.binding()))?;
+        let [frame, scene] = loaded.bind(gpu, &frame)?;
         Ok(Self {
-            kernel,
+            kernel: loaded.kernel,
             frame,
             scene,
             dispatch,

@@ -9,17 +9,16 @@ use std::time::Instant;
 
 use super::device::Gpu;
 use super::kernel::Kernel;
-use super::memory::{SceneMemory, best_fetch};
+use super::loaded::Loaded;
 use super::pace::Pace;
 pub use super::portions::{Portions, Seconds};
-use super::program::{Program, Source};
+use super::program::Source;
 use super::retrace::Retrace;
-use super::scene::PackedScene;
 use super::screen::Screen;
 use super::stage::Stage;
 use super::tile::Tile;
 use crate::count::{CountMap, Counted};
-use crate::effects::{Device, Entry, Fetch, shader_files};
+use crate::effects::{Entry, Fetch};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::kernel::real::Real;
@@ -65,11 +64,15 @@ pub fn adaptive<'a>(
     Prepared::new(gpu, first, portions)?.with_second(second, portions)
 }
 
-/// Whether one dispatch can search and colour, so that rays in doubt can be traced again.
-pub fn may_retrace<R>(flat: &Flat<R>, portions: Portions) -> bool {
+/// Whether one dispatch can test all that a ray may meet.
+pub(super) fn searches_at_once<R>(flat: &Flat<R>, portions: Portions) -> bool {
     let tests = flat.primitives() + flat.volumes.len() as u32;
-    let searched_at_once = !flat.pairs.is_empty() || tests <= portions.primitives_per_dispatch;
-    searched_at_once && flat.lights.len() <= FEW_LIGHTS
+    !flat.pairs.is_empty() || tests <= portions.primitives_per_dispatch
+}
+
+/// Whether one dispatch can search and colour, so that pixels in doubt can be traced again.
+pub fn may_retrace<R>(flat: &Flat<R>, portions: Portions) -> bool {
+    searches_at_once(flat, portions) && flat.lights.len() <= FEW_LIGHTS
 }
 
 /// Counts what each ray of a picture tests, with shaders that count.
@@ -125,31 +128,9 @@ impl<'a, R: Real> Prepared<'a, R> {
         portions: Portions,
         change: &dyn Fn(&mut Vec<Source>),
     ) -> Result<Self> {
-        let scene = PackedScene::of(flat);
-        let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
-        let device = Device {
-            divide: gpu.arithmetic.divide_file(),
-            fetch,
-            count: portions.count,
-            formulas: R::FORMULAS,
-            width: R::WIDTH,
-            entry: Entry::Tile,
-        };
-        let mut files = shader_files(&flat.counts(), device);
-        change(&mut files);
-        let program = Program::in_width(&files, R::WIDTH)?;
-        let kernel = gpu.compile(&program)?;
-        let memory = SceneMemory::upload(gpu, &scene, fetch)?;
+        let loaded = Loaded::new(gpu, flat, Entry::Tile, portions, change)?;
         let screen = Screen::set_up(gpu, flat)?;
-        let stage = Stage::set_up(
-            gpu,
-            flat,
-            &kernel,
-            &memory,
-            &scene.tables,
-            &screen,
-            portions,
-        )?;
+        let stage = Stage::set_up(gpu, flat, &loaded, &screen, portions)?;
         let pace = Pace::new(
             flat.size,
             tests_per_ray(flat),
@@ -159,8 +140,8 @@ impl<'a, R: Real> Prepared<'a, R> {
         Ok(Self {
             gpu,
             flat,
-            fetch,
-            kernel,
+            fetch: loaded.fetch,
+            kernel: loaded.kernel,
             seconds: stage.has_clock().then(Seconds::default),
             stage,
             screen,

@@ -4,16 +4,14 @@ use std::time::{Duration, Instant};
 
 use super::device::Gpu;
 use super::kernel::Kernel;
-use super::memory::{SceneMemory, best_fetch};
+use super::loaded::Loaded;
 use super::pace::DISPATCH_TIME;
 use super::portions::Portions;
-use super::program::Program;
-use super::render::may_retrace;
-use super::scene::PackedScene;
+use super::render::{may_retrace, searches_at_once};
 use super::stage::uniforms;
 use super::tile::SLICES;
 use super::timestamps::Clock;
-use crate::effects::{Device, Entry, shader_files};
+use crate::effects::Entry;
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::kernel::real::Real;
@@ -65,7 +63,12 @@ impl Retrace {
         shared: &[(&'static str, &wgpu::Buffer)],
         portions: Portions,
     ) -> Result<Self> {
-        if !may_retrace(flat, portions) {
+        // Rays of a list are not coloured, so lights are no matter to them.
+        let possible = match entry {
+            Entry::DoubtfulPixels => may_retrace(flat, portions),
+            _ => searches_at_once(flat, portions),
+        };
+        if !possible {
             return Err(Error::Limit(format!(
                 "{} primitives and {} lights are more than a dispatch goes through for a ray \
                  in doubt: take bounds `tree`, or accuracy `double`",
@@ -88,38 +91,25 @@ impl Retrace {
         shared: &[(&'static str, &wgpu::Buffer)],
         portions: Portions,
     ) -> Result<Self> {
-        let scene = PackedScene::of(flat);
-        let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
-        let device = Device {
+        let uncounted = Portions {
             count: false,
-            formulas: R::FORMULAS,
-            width: R::WIDTH,
-            entry,
-            divide: gpu.arithmetic.divide_file(),
-            fetch,
+            ..portions
         };
-        let kernel = gpu.compile(&Program::in_width(
-            &shader_files(&flat.counts(), device),
-            R::WIDTH,
-        )?)?;
-        let memory = SceneMemory::upload(gpu, &scene, fetch)?;
+        let loaded = Loaded::new(gpu, flat, entry, uncounted, &|_| {})?;
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, usage)?;
-        let mut frame = uniforms(gpu, flat, &scene.tables)?;
+        let mut frame = uniforms(gpu, flat, &loaded.tables)?;
         frame.insert("dispatch", dispatch.clone());
         frame.extend(
             shared
                 .iter()
                 .map(|(name, buffer)| (*name, (*buffer).clone())),
         );
-        let frame = kernel.bind(gpu, 0, |name| {
-            frame.get(name).map(|buffer| buffer.as_entire_binding())
-        })?;
-        let scene = kernel.bind(gpu, 1, |name| (name == "scene").then(|| memory.binding()))?;
+        let [frame, scene] = loaded.bind(gpu, &frame)?;
         let staged = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
         let staging = (!gpu.maps_storage()).then(|| gpu.create_buffer("doubts read", 4, staged));
         Ok(Self {
-            kernel,
+            kernel: loaded.kernel,
             frame,
             scene,
             dispatch,

@@ -6,7 +6,7 @@ use wgpu::BufferUsages;
 
 use super::device::Gpu;
 use super::kernel::Kernel;
-use super::memory::SceneMemory;
+use super::loaded::Loaded;
 use super::portions::Portions;
 use super::scene::push_parts;
 use super::screen::Screen;
@@ -87,9 +87,7 @@ impl Stage {
     pub(super) fn set_up<R: Real>(
         gpu: &Gpu,
         flat: &Flat<R>,
-        kernel: &Kernel,
-        scene: &SceneMemory,
-        tables: &Tables,
+        loaded: &Loaded,
         screen: &Screen,
         portions: Portions,
     ) -> Result<Self> {
@@ -121,7 +119,7 @@ impl Stage {
         let doubtful =
             gpu.create_buffer("doubtful", list_bytes, readable | BufferUsages::COPY_DST)?;
         let bounds = if bounded { tile } else { 0 };
-        let mut frame = uniforms(gpu, flat, tables)?;
+        let mut frame = uniforms(gpu, flat, &loaded.tables)?;
         frame.extend([
             ("dispatch", dispatch.clone()),
             ("doubtful", doubtful.clone()),
@@ -142,10 +140,7 @@ impl Stage {
             ("split", screen.split.clone()),
             ("pixels", pixels.clone()),
         ]);
-        let frame = kernel.bind(gpu, 0, |name| {
-            frame.get(name).map(|buffer| buffer.as_entire_binding())
-        })?;
-        let scene = kernel.bind(gpu, 1, |name| (name == "scene").then(|| scene.binding()))?;
+        let [frame, scene] = loaded.bind(gpu, &frame)?;
         Ok(Self {
             max_rows,
             frame,

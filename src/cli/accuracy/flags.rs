@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::bench::flags::{BenchBackend, MOST_RUNS, parse_seconds};
+use crate::cli::bench::flags::BenchBackend;
+use crate::cli::plan_flags::PlanFlags;
 use crate::cli::tracing_flags::{AccuracyChoice, PolicyFlags, parse_size, parse_threads};
 use rayproof::accuracy::Hazard;
 use rayproof::bounds::Bounds;
@@ -40,17 +41,8 @@ pub(in crate::cli) struct AccuracyArguments {
     /// Size of the picture, in place of the scene's own
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<(u32, u32)>,
-    /// Runs of each tier that count, interleaved
-    #[arg(long, value_name = "N", default_value_t = 5,
-          value_parser = clap::value_parser!(u32).range(1..=MOST_RUNS))]
-    runs: u32,
-    /// Runs of each tier before those
-    #[arg(long, value_name = "N", default_value_t = 1,
-          value_parser = clap::value_parser!(u32).range(0..=MOST_RUNS))]
-    warmup: u32,
-    /// Seconds after which a tier is run no more, and told from what it has
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = parse_seconds)]
-    pub(super) budget: f64,
+    #[command(flatten)]
+    plan: PlanFlags,
     /// Write a plot of error against time (.svg), or with `--layer` a picture of one tier's
     /// errors (.png)
     #[arg(long, short, value_name = "FILE")]
@@ -127,11 +119,7 @@ impl AccuracyArguments {
     }
 
     pub(super) fn plan(&self) -> Plan {
-        Plan {
-            warm_ups: self.warmup,
-            runs: self.runs,
-            budget: self.budget,
-        }
+        self.plan.plan()
     }
 
     /// What is to be written, by the file's ending.

@@ -83,11 +83,11 @@ impl Level {
                 match backend.lacks(tier) {
                     Some(reason) => rows.push(Row::unavailable(backend, tier, reason)),
                     None => {
-                        // What it cannot do is told now, not after the runs.
-                        self.rounded.trace_rays(backend, tier, &[])?;
                         cases.push(Case {
                             backend,
                             tier,
+                            // Before the runs: what it cannot do is told now.
+                            found: self.found(backend, tier)?,
                             tracer: self.exact.tracer(backend, tier, false)?,
                             timed: match backend {
                                 Backend::Gpu(gpu) if gpu.has_clock() => {
@@ -129,7 +129,6 @@ impl Level {
     }
 
     fn row(&self, case: &Case<'_>, times: &Times) -> Result<Row> {
-        let found = self.found(case.backend, case.tier)?;
         let comparison = compare_frames(&case.frame, &self.exact_frame, &Tolerance::default())?;
         let ms = Spread::of(&times.seconds).times(1e3);
         Ok(Row {
@@ -141,7 +140,7 @@ impl Level {
             mrays_per_s: Some(self.exact_rays.len() as f64 / ms.median / 1e3),
             device_ms: case.device_ms(),
             retraced: (case.tier == Accuracy::Adaptive).then(|| case.tracer.retraced()),
-            errors: Some(Errors::of(&found, &self.rounded_truths.0)),
+            errors: Some(Errors::of(&case.found, &self.rounded_truths.0)),
             total: Some(self.total_errors(&case.frame)),
             rmse: Some(comparison.rmse),
             flip: comparison.flip,
@@ -171,6 +170,8 @@ impl Level {
 struct Case<'a> {
     backend: &'a Backend,
     tier: Accuracy,
+    /// On the rounded rays.
+    found: Vec<Found>,
     tracer: Box<dyn Tracer + 'a>,
     /// With passes that are timed, on a device with a clock.
     timed: Option<Box<dyn Tracer + 'a>>,

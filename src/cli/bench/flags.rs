@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::plan_flags::PlanFlags;
 use crate::cli::tracing_flags::{
     BoundsChoice, ONE_LEVEL, PolicyFlags, parse_levels, parse_size, parse_threads,
 };
@@ -14,9 +15,6 @@ use rayproof::gpu::device::Gpu;
 use rayproof::measure::Plan;
 use rayproof::scene::Scene;
 use rayproof::scene::mesh::MAX_DETAIL;
-
-/// Runs at most; more would only heat the machine.
-pub(in crate::cli) const MOST_RUNS: i64 = 10_000;
 
 /// Triangles of the knots that are measured unless others are named.
 const SIZES: [u32; 5] = [1_000, 11_000, 100_000, 1_000_000, 10_000_000];
@@ -32,17 +30,8 @@ pub(in crate::cli) struct BenchArguments {
           value_parser = clap::value_parser!(u32).range(1..=MAX_DETAIL as i64),
           conflicts_with_all = ["bounds", "levels", "count"])]
     scale: Option<Vec<u32>>,
-    /// Runs of each configuration that count, interleaved
-    #[arg(long, value_name = "N", default_value_t = 5,
-          value_parser = clap::value_parser!(u32).range(1..=MOST_RUNS))]
-    runs: u32,
-    /// Runs of each configuration before those
-    #[arg(long, value_name = "N", default_value_t = 1,
-          value_parser = clap::value_parser!(u32).range(0..=MOST_RUNS))]
-    warmup: u32,
-    /// Seconds after which a configuration is run no more, and told from what it has
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = parse_seconds)]
-    pub(super) budget: f64,
+    #[command(flatten)]
+    plan: PlanFlags,
     /// Size of the picture, in place of the scene's own
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<(u32, u32)>,
@@ -99,11 +88,7 @@ impl BenchArguments {
 
     /// How often to run.
     pub(super) fn plan(&self) -> Plan {
-        Plan {
-            warm_ups: self.warmup,
-            runs: self.runs,
-            budget: self.budget,
-        }
+        self.plan.plan()
     }
 
     /// The volumes to measure.
@@ -171,12 +156,5 @@ impl BenchArguments {
     /// All the faults of the scene.
     pub(super) fn load(&self) -> Result<Scene> {
         self.policy.load_scene(self.scene(), self.size)
-    }
-}
-
-pub(in crate::cli) fn parse_seconds(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(seconds) if (0.0..f64::INFINITY).contains(&seconds) => Ok(seconds),
-        _ => Err(format!("`{text}` is not a number of seconds")),
     }
 }

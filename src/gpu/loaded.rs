@@ -1,0 +1,81 @@
+//! A scene on a device with the shader that it calls for.
+
+use std::collections::HashMap;
+
+use super::device::Gpu;
+use super::kernel::Kernel;
+use super::memory::{SceneMemory, best_fetch};
+use super::portions::Portions;
+use super::program::{Program, Source};
+use super::scene::PackedScene;
+use crate::effects::{Device, Entry, Fetch, shader_files};
+use crate::error::Result;
+use crate::flat::Flat;
+use crate::kernel::real::Real;
+use crate::layout::Tables;
+
+/// A scene, uploaded, and its shader, compiled.
+pub(super) struct Loaded {
+    pub(super) kernel: Kernel,
+    /// Where the scene's tables begin.
+    pub(super) tables: Tables,
+    /// Where the scene lies.
+    pub(super) fetch: Fetch,
+    memory: SceneMemory,
+}
+
+impl Loaded {
+    /// Compiles the shader with this entry, its files changed by `change` first, and uploads
+    /// the scene.
+    ///
+    /// # Errors
+    ///
+    /// [`crate::Error::Limit`] when the scene does not fit the device,
+    /// [`crate::Error::Shader`] when the driver refuses the shader.
+    pub(super) fn new<R: Real>(
+        gpu: &Gpu,
+        flat: &Flat<R>,
+        entry: Entry,
+        portions: Portions,
+        change: &dyn Fn(&mut Vec<Source>),
+    ) -> Result<Self> {
+        let scene = PackedScene::of(flat);
+        let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
+        let device = Device {
+            count: portions.count,
+            formulas: R::FORMULAS,
+            width: R::WIDTH,
+            entry,
+            divide: gpu.arithmetic.divide_file(),
+            fetch,
+        };
+        let mut files = shader_files(&flat.counts(), device);
+        change(&mut files);
+        let kernel = gpu.compile(&Program::in_width(&files, R::WIDTH)?)?;
+        Ok(Self {
+            kernel,
+            memory: SceneMemory::upload(gpu, &scene, fetch)?,
+            tables: scene.tables,
+            fetch,
+        })
+    }
+
+    /// Binds the buffers of a frame, by the names of their variables, and the scene.
+    ///
+    /// # Errors
+    ///
+    /// As [`Kernel::bind`].
+    pub(super) fn bind(
+        &self,
+        gpu: &Gpu,
+        frame: &HashMap<&'static str, wgpu::Buffer>,
+    ) -> Result<[wgpu::BindGroup; 2]> {
+        let frame = self.kernel.bind(gpu, 0, |name| {
+            frame.get(name).map(|buffer| buffer.as_entire_binding())
+        })?;
+        let scene = self.kernel.bind(gpu, 1, |name| {
+            (name == "scene").then(|| self.memory.binding())
+        })?;
+        Ok([frame, scene])
+    }
+}
