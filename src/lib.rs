@@ -6,7 +6,8 @@
 //! [`gpu`] or [`cpu`] traces them, the one with the shaders, the other with the
 //! [`kernel`], their twin; the result is a [`frame`], and [`compare`] says how two
 //! of them differ. The [`oracle`] says what would be exact, [`accuracy`] how far each tier
-//! is from it, [`why`] what a single pixel shows; [`report`] draws what was measured.
+//! is from it, [`why`] what a single pixel shows, [`stability`] where ray tracers break;
+//! [`report`] draws what was measured.
 //!
 //! # Example
 //!
@@ -39,9 +40,11 @@ pub mod layout;
 pub mod measure;
 pub mod oracle;
 mod ramp;
+pub mod random;
 pub mod render;
 pub mod report;
 pub mod scene;
+pub mod stability;
 pub mod tier;
 pub mod watch;
 pub mod why;

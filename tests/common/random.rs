@@ -2,37 +2,15 @@
 
 #![allow(dead_code, reason = "each test uses a part")]
 
-use glam::{DMat3, DVec3, EulerRot};
+use glam::{DMat3, EulerRot};
 use rayproof::Scene;
 use rayproof::scene::mesh::{Builtin, build};
 use rayproof::scene::*;
 
-/// A fixed sequence of numbers, so that a failure can be repeated.
-pub struct Numbers(pub u64);
+pub use rayproof::random::Numbers;
 
-impl Numbers {
-    /// Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
-    /// OOPSLA 2014: SplitMix64.
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly from `low` to `high`.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub fn vector(&mut self, reach: f64) -> DVec3 {
-        DVec3::from_array([0; 3].map(|_| self.between(-reach, reach)))
-    }
-
-    pub fn color(&mut self) -> Rgb {
-        [0; 3].map(|_| self.between(0.0, 1.0))
-    }
+fn color(n: &mut Numbers) -> Rgb {
+    [0; 3].map(|_| n.between(0.0, 1.0))
 }
 
 /// Shapes of every kind around the camera, all lengths times `scale`.
@@ -80,7 +58,7 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
     }
     let directional = Light::Directional {
         direction: n.vector(1.0),
-        color: n.color(),
+        color: color(&mut n),
     };
     let falloff = if seed.is_multiple_of(2) {
         Falloff::None
@@ -89,7 +67,7 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
     };
     let point = Light::Point {
         position: at(&mut n),
-        color: n.color(),
+        color: color(&mut n),
         falloff,
     };
     Scene {
@@ -101,17 +79,17 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
             sampling: PixelSampling::Center,
         },
         background: Background {
-            from: n.color(),
-            to: n.color(),
+            from: color(&mut n),
+            to: color(&mut n),
             offset: n.between(-1.0, 1.0),
             slope: n.between(-1.0, 1.0),
         },
-        ambient: n.color(),
+        ambient: color(&mut n),
         lights: vec![directional, point],
         materials: (0..5)
             .map(|index| Material {
                 name: index.to_string(),
-                albedo: n.color(),
+                albedo: color(&mut n),
             })
             .collect(),
         shapes,

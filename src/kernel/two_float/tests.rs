@@ -4,26 +4,18 @@
 //! exactly and is off by 2^-53 at most after one operation.
 
 use super::*;
+use crate::random::Numbers;
 
 /// Bound of the tests; the algorithms' own lie at 3, 5, 15 and 25/8 of 2^-48.
 const MOST: f64 = 1.0 / (1_u64 << 44) as f64;
 
 const TRIES: u32 = 200_000;
 
-/// Vigna's SplitMix64.
-struct Random(u64);
+struct Random(Numbers);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     fn below(&mut self, end: u32) -> u32 {
-        (self.bits() >> 33) as u32 % end
+        (self.0.next() >> 33) as u32 % end
     }
 
     /// A pair of either sign, of 2^-span to 2^span; every eighth has no low part, and
@@ -54,7 +46,7 @@ type Operation = (fn(TwoFloat, TwoFloat) -> TwoFloat, fn(f64, f64) -> f64);
 /// The largest relative error over pairs of 2^-span to 2^span; every other pair of
 /// like size, so that differences cancel.
 fn worst_error((two, wide): Operation, span: u32) -> f64 {
-    let mut random = Random(u64::from(span));
+    let mut random = Random(Numbers(u64::from(span)));
     let mut worst: f64 = 0.0;
     for index in 0..TRIES {
         let a = random.pair(span);
@@ -137,7 +129,7 @@ fn roots_keep_their_relative_error() {
 /// Against integers: f32 that are whole numbers below 2^62.
 #[test]
 fn sums_and_products_of_f32_are_exact() {
-    let mut random = Random(1);
+    let mut random = Random(Numbers(1));
     let mut quick_failed = 0;
     for _ in 0..TRIES {
         let whole = |random: &mut Random| {
@@ -161,7 +153,7 @@ fn sums_and_products_of_f32_are_exact() {
 
 #[test]
 fn products_do_not_depend_on_the_order() {
-    let mut random = Random(2);
+    let mut random = Random(Numbers(2));
     let mut scaled_differ = 0;
     for _ in 0..TRIES {
         let (a, b) = (random.pair(30), random.pair(30));
@@ -174,10 +166,10 @@ fn products_do_not_depend_on_the_order() {
 
 #[test]
 fn integers_are_exact() {
-    let mut random = Random(3);
+    let mut random = Random(Numbers(3));
     let mut rounded = 0;
     let chosen = [0, 1, 0xffff, 0x1_0000, 0x1_0001, u32::MAX];
-    let any = (0..TRIES).map(|_| random.bits() as u32);
+    let any = (0..TRIES).map(|_| random.0.next() as u32);
     for value in chosen.into_iter().chain(any) {
         let two = TwoFloat::from_u32(value);
         assert!(is_normal(two) && exact(two) == f64::from(value), "{value}");
@@ -189,7 +181,7 @@ fn integers_are_exact() {
 
 #[test]
 fn comparisons_are_those_of_the_values() {
-    let mut random = Random(4);
+    let mut random = Random(Numbers(4));
     let mut by_low_part = 0;
     for index in 0..TRIES {
         let a = random.pair(30);

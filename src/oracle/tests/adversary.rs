@@ -1,7 +1,7 @@
 //! Data on which f64 decides wrongly, and the filter is to know that it does not know.
 
 use super::widths::{Careless, errs};
-use super::{Numbers, ray};
+use super::{Draw, Numbers, ray};
 use crate::kernel::camera::Ray;
 use crate::layout::{Disk, Sphere};
 use crate::oracle::double::Double;

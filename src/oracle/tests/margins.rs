@@ -1,7 +1,7 @@
 //! Margins tell which rays turn when they are a little off, and which do not.
 
 use super::pictures::{crowd, crowd_rays, rays, scene, with_tree};
-use super::{Numbers, Shapes, ray};
+use super::{Draw, Numbers, Shapes, ray};
 use crate::bounds::{Bounds, bound};
 use crate::flat::Flat;
 use crate::flatten::flatten;

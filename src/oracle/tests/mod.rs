@@ -11,6 +11,7 @@ use crate::flat::Flat;
 use crate::flatten::flatten;
 use crate::kernel::camera::Ray;
 use crate::layout::{Corners, Disk, Plane, Sphere};
+use crate::random::Numbers;
 use crate::scene::Scene;
 
 /// A scene made by hand, in the order of the ids: spheres, planes, disks, triangles.
@@ -87,28 +88,18 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray<f64> {
     }
 }
 
-/// A fixed sequence of numbers, so that a failure can be repeated: SplitMix64.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly from `low` to `high`.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn point(&mut self, reach: f64) -> [f64; 3] {
-        [0; 3].map(|_| self.between(-reach, reach))
-    }
-
+/// What these tests ask of numbers beyond what there is.
+trait Draw {
+    fn point(&mut self, reach: f64) -> [f64; 3];
     /// A whole number from -`most` to `most`.
+    fn whole(&mut self, most: u64) -> f64;
+}
+
+impl Draw for Numbers {
+    fn point(&mut self, reach: f64) -> [f64; 3] {
+        self.vector(reach).to_array()
+    }
+
     fn whole(&mut self, most: u64) -> f64 {
         (self.next() % (2 * most + 1)) as f64 - most as f64
     }

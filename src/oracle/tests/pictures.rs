@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Numbers, Shapes, ray};
+use super::{Draw, Numbers, Shapes, ray};
 use crate::bounds::{Bounds, bound};
 use crate::flat::Flat;
 use crate::flatten::flatten;

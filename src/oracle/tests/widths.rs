@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Numbers, ray};
+use super::{Draw, Numbers, ray};
 use crate::kernel::camera::Ray;
 use crate::layout::{Disk, Plane, Sphere};
 use crate::oracle::distance::{Distance, compare};

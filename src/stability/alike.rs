@@ -1,0 +1,41 @@
+//! Two sets of rays with one answer: what was changed must not matter.
+
+use super::case::{Station, Trial};
+use super::demand::unit_of;
+use super::tally::Tally;
+use crate::accuracy::Widths;
+use crate::error::Result;
+use crate::kernel::camera::Ray;
+use crate::layout::NO_HIT;
+
+/// Two scenes, a list of rays through each.
+pub struct Alike {
+    /// As it is.
+    pub left: (Widths, Vec<Ray<f32>>),
+    /// After the change.
+    pub right: (Widths, Vec<Ray<f32>>),
+    /// What t is multiplied with by the change, ray by ray.
+    pub scale: Vec<f64>,
+    /// By how many u of itself t may differ; 0 for the same bits.
+    pub roundings: f64,
+}
+
+impl Trial for Alike {
+    fn run(&self, at: Station<'_>) -> Result<Tally> {
+        let trace = |(widths, rays): &(Widths, Vec<Ray<f32>>)| {
+            let found = widths.trace_rays(at.backend, at.tier, rays);
+            found.map(|(found, _)| found)
+        };
+        let mut tally = Tally::default();
+        let pairs = trace(&self.left)?.into_iter().zip(trace(&self.right)?);
+        for ((left, right), scale) in pairs.zip(&self.scale) {
+            let id_error = (f64::from(u8::from(left.id != right.id)), 0.0);
+            let is_hit = left.id != NO_HIT && left.id == right.id;
+            let expected = left.t * scale;
+            let off = (right.t - expected).abs() / (unit_of(at.tier) * expected);
+            let t_error = (if is_hit { off } else { 0.0 }, self.roundings);
+            tally.count([id_error, t_error]);
+        }
+        Ok(tally)
+    }
+}

@@ -1,0 +1,94 @@
+//! Hard cases: where ray tracers break, tried on every tier and backend.
+//!
+//! [`FAMILIES`] is the catalogue. A [`Case`] says what it sets up, why careless code fails,
+//! what it demands and which tiers are expected to fail. Its [`Trial`] has the scenes, rays
+//! that are aimed where a decision is hard, and the exact answers; it is run at a
+//! [`Station`], a tier on a backend, and gives a [`Tally`]. A case that falls short is a
+//! defect, and so is an expected failure that does not fail: the expectation is wrong then.
+//!
+//! Most trials are [`aimed`] rays; [`alike`] ones have two sets of rays with one answer.
+
+pub mod aim;
+pub mod aimed;
+pub mod alike;
+pub mod case;
+pub mod demand;
+pub mod residual;
+pub mod shapes;
+pub mod tally;
+
+mod arithmetic;
+mod bounds;
+mod flat_shapes;
+mod shading;
+mod sphere;
+mod triangle;
+
+pub use case::{Case, Family, Station, Trial, Verdict};
+pub use demand::Demand;
+pub use tally::Tally;
+
+use crate::error::{Error, Result};
+use crate::random::Numbers;
+use crate::watch::Watch;
+
+/// The catalogue, in the order in which it is read.
+pub const FAMILIES: &[Family] = &[
+    sphere::FAMILY,
+    flat_shapes::FAMILY,
+    triangle::FAMILY,
+    bounds::FAMILY,
+    shading::FAMILY,
+    arithmetic::FAMILY,
+];
+
+/// Rays of a round, where a rate is bounded.
+pub const RAYS: usize = 100_000;
+
+/// The cases of the catalogue.
+pub fn catalogue() -> impl Iterator<Item = &'static Case> {
+    FAMILIES.iter().flat_map(|family| family.cases)
+}
+
+/// Tries a case so many times, each time with other rays, at the stations that have its tier.
+///
+/// # Errors
+///
+/// [`Error::Interrupted`] when `watch` says so, and those of the backends.
+pub fn try_case(
+    case: &'static Case,
+    stations: &[Station<'_>],
+    rounds: u32,
+    watch: &dyn Watch,
+) -> Result<Vec<Verdict>> {
+    let mut verdicts: Vec<Verdict> = stations
+        .iter()
+        .map(|station| Verdict {
+            case,
+            tier: station.tier,
+            tally: Tally::default(),
+        })
+        .collect();
+    let rounds = if case.is_random { rounds } else { 1 };
+    let parts = f64::from(rounds) * (1 + stations.len()) as f64;
+    let mut done = 0;
+    for round in 0..rounds {
+        // Another case with the same set-up has other rays.
+        let mut numbers = Numbers(u64::from(round));
+        for byte in case.id.bytes() {
+            numbers.0 = numbers.next() ^ u64::from(byte);
+        }
+        let trial = (case.trial)(&mut numbers, case.demands)?;
+        done += 1;
+        for (station, verdict) in stations.iter().zip(&mut verdicts) {
+            watch.progress(f64::from(done) / parts);
+            if watch.cancelled() {
+                return Err(Error::Interrupted);
+            }
+            verdict.tally.add(trial.run(*station)?);
+            done += 1;
+        }
+    }
+    watch.progress(1.0);
+    Ok(verdicts)
+}
