@@ -1,7 +1,8 @@
 //! Rays through a scene, each held to the exact answer.
 
-use super::case::{Station, Trial};
+use super::case::Trial;
 use super::demand::{Answer, Demand};
+use super::subject::Subject;
 use super::tally::Tally;
 use crate::accuracy::{Truths, Widths};
 use crate::bounds::Bounds;
@@ -50,9 +51,9 @@ impl Aimed {
 }
 
 impl Trial for Aimed {
-    fn run(&self, at: Station<'_>) -> Result<Tally> {
-        let trace = |widths: &Widths| widths.trace_rays(at.backend, at.tier, &self.rays);
-        let (found, _) = trace(&self.widths)?;
+    fn run(&self, on: &dyn Subject) -> Result<Tally> {
+        let trace = |widths: &Widths| on.trace_rays(widths, &self.rays);
+        let found = trace(&self.widths)?;
         let by_force = self.by_force.as_ref().map(trace).transpose()?;
         let flat = &self.widths.double;
         let oracle = Oracle::new(flat);
@@ -67,12 +68,12 @@ impl Trial for Aimed {
                 truth,
                 shape,
                 found,
-                by_force: by_force.as_ref().map(|(found, _)| found[index]),
+                by_force: by_force.as_ref().map(|found| found[index]),
             };
             tally.count(
                 self.demands
                     .iter()
-                    .map(|demand| demand.judge(&answer, at.tier)),
+                    .map(|demand| demand.judge(&answer, on.tier())),
             );
         }
         Ok(tally)

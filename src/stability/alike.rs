@@ -1,7 +1,8 @@
 //! Two sets of rays with one answer: what was changed must not matter.
 
-use super::case::{Station, Trial};
+use super::case::Trial;
 use super::demand::unit_of;
+use super::subject::Subject;
 use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::error::Result;
@@ -21,18 +22,15 @@ pub struct Alike {
 }
 
 impl Trial for Alike {
-    fn run(&self, at: Station<'_>) -> Result<Tally> {
-        let trace = |(widths, rays): &(Widths, Vec<Ray<f32>>)| {
-            let found = widths.trace_rays(at.backend, at.tier, rays);
-            found.map(|(found, _)| found)
-        };
+    fn run(&self, on: &dyn Subject) -> Result<Tally> {
+        let trace = |(widths, rays): &(Widths, Vec<Ray<f32>>)| on.trace_rays(widths, rays);
         let mut tally = Tally::default();
         let pairs = trace(&self.left)?.into_iter().zip(trace(&self.right)?);
         for ((left, right), scale) in pairs.zip(&self.scale) {
             let id_error = (f64::from(u8::from(left.id != right.id)), 0.0);
             let is_hit = left.id != NO_HIT && left.id == right.id;
             let expected = left.t * scale;
-            let off = (right.t - expected).abs() / (unit_of(at.tier) * expected);
+            let off = (right.t - expected).abs() / (unit_of(on.tier()) * expected);
             let t_error = (if is_hit { off } else { 0.0 }, self.roundings);
             tally.count([id_error, t_error]);
         }

@@ -1,10 +1,11 @@
 //! A hard case, and how it came out.
 
 use super::demand::Demand;
+use super::subject::Subject;
 use super::tally::Tally;
 use crate::error::Result;
 use crate::random::Numbers;
-use crate::render::{Accuracy, Backend};
+use crate::tier::Accuracy;
 
 /// Cases of one kind.
 pub struct Family {
@@ -46,26 +47,17 @@ impl Case {
     }
 }
 
-/// A tier on a backend that has it.
-#[derive(Debug, Clone, Copy)]
-pub struct Station<'a> {
-    /// What traces.
-    pub backend: &'a Backend,
-    /// In what numbers, and by which formulas.
-    pub tier: Accuracy,
-}
-
 /// A case that is set up.
 pub trait Trial {
     /// Tries it.
     ///
     /// # Errors
     ///
-    /// Those of the backend.
-    fn run(&self, at: Station<'_>) -> Result<Tally>;
+    /// Those of the subject.
+    fn run(&self, on: &dyn Subject) -> Result<Tally>;
 }
 
-/// How a case came out at a station.
+/// How a case came out.
 pub struct Verdict {
     /// The case.
     pub case: &'static Case,

@@ -2,8 +2,8 @@
 //!
 //! [`FAMILIES`] is the catalogue. A [`Case`] says what it sets up, why careless code fails,
 //! what it demands and which tiers are expected to fail. Its [`Trial`] has the scenes, rays
-//! that are aimed where a decision is hard, and the exact answers; it is run at a
-//! [`Station`], a tier on a backend, and gives a [`Tally`]. A case that falls short is a
+//! that are aimed where a decision is hard, and the exact answers; it is run on a
+//! [`Subject`], a tier at a backend, and gives a [`Tally`]. A case that falls short is a
 //! defect, and so is an expected failure that does not fail: the expectation is wrong then.
 //!
 //! Most trials are [`aimed`] rays; [`alike`] ones have two sets of rays with one answer.
@@ -13,8 +13,10 @@ pub mod aimed;
 pub mod alike;
 pub mod case;
 pub mod demand;
+pub mod refused;
 pub mod residual;
 pub mod shapes;
+pub mod subject;
 pub mod tally;
 
 mod arithmetic;
@@ -24,8 +26,9 @@ mod shading;
 mod sphere;
 mod triangle;
 
-pub use case::{Case, Family, Station, Trial, Verdict};
+pub use case::{Case, Family, Trial, Verdict};
 pub use demand::Demand;
+pub use subject::{Station, Subject};
 pub use tally::Tally;
 
 use crate::error::{Error, Result};
@@ -85,7 +88,7 @@ pub fn try_case(
             if watch.cancelled() {
                 return Err(Error::Interrupted);
             }
-            verdict.tally.add(trial.run(*station)?);
+            verdict.tally.add(trial.run(station)?);
             done += 1;
         }
     }
