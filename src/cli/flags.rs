@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::accuracy::flags::AccuracyArguments;
 use super::bench::flags::BenchArguments;
 use super::shown::Shown;
+use super::stability::flags::StabilityArguments;
 use super::tracing_flags::{PlaceFlags, PolicyFlags, TracingFlags};
 use super::why::flags::WhyArguments;
 use rayproof::compare::Tolerance;
@@ -32,6 +33,8 @@ pub(super) enum Command {
     Bench(BenchArguments),
     /// Measure what each accuracy tier costs, and how far it is from the exact answer
     Accuracy(AccuracyArguments),
+    /// Try the hard cases of ray tracing in every accuracy tier on every adapter
+    Stability(StabilityArguments),
     /// Explain one pixel: what its ray meets in each accuracy tier and in truth, and why
     Why(WhyArguments),
     /// Check a scene and all that it refers to, and report every fault at once

@@ -17,6 +17,7 @@ mod progress;
 mod render;
 mod report;
 mod shown;
+mod stability;
 mod tracing_flags;
 mod why;
 
@@ -56,6 +57,7 @@ fn run(cli: &Cli) -> Result<Outcome> {
         Command::Compare(arguments) => compare::run(arguments, &cli.common),
         Command::Bench(arguments) => bench::run(arguments, &cli.common),
         Command::Accuracy(arguments) => accuracy::run(arguments, &cli.common),
+        Command::Stability(arguments) => stability::run(arguments, &cli.common),
         Command::Why(arguments) => why::run(arguments, &cli.common),
         Command::Check(arguments) => check::run(arguments, &cli.common),
         Command::Doctor => doctor::run(&cli.common),

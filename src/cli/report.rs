@@ -129,17 +129,27 @@ pub(super) fn columns<const N: usize>(
     head: [&str; N],
     rows: impl Iterator<Item = [String; N]>,
 ) -> String {
-    let mut lines = vec![head.map(str::to_string)];
+    columns_of(
+        head.map(str::to_string).to_vec(),
+        rows.map(Vec::from).collect(),
+    )
+}
+
+/// As [`columns`], as many as `head` has.
+pub(super) fn columns_of(head: Vec<String>, rows: Vec<Vec<String>>) -> String {
+    let count = head.len();
+    let mut lines = vec![head];
     lines.extend(rows);
-    let widths: Vec<usize> = (0..N)
+    let widths: Vec<usize> = (0..count)
         .map(|column| lines.iter().map(|l| l[column].len()).max().unwrap_or(0))
         .collect();
     let mut text = String::new();
     for line in &lines {
-        text += &format!("{:<1$}", line[0], widths[0]);
+        let mut row = format!("{:<1$}", line[0], widths[0]);
         for (cell, width) in line.iter().zip(&widths).skip(1) {
-            text += &format!("  {cell:>width$}");
+            row += &format!("  {cell:>width$}");
         }
+        text += row.trim_end();
         text += "\n";
     }
     text

@@ -160,6 +160,17 @@ impl AccuracyChoice {
     }
 }
 
+/// The tiers that a list names, each once; all of them if it is empty.
+pub(super) fn tiers_of(choices: &[AccuracyChoice]) -> Vec<Accuracy> {
+    if choices.is_empty() {
+        return Accuracy::ALL.to_vec();
+    }
+    let mut tiers: Vec<_> = choices.iter().map(|choice| choice.accuracy()).collect();
+    tiers.sort();
+    tiers.dedup();
+    tiers
+}
+
 /// Levels where `--levels` is not given.
 pub(super) const ONE_LEVEL: u32 = 1;
 

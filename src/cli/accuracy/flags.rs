@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::bench::flags::BenchBackend;
 use crate::cli::plan_flags::PlanFlags;
-use crate::cli::tracing_flags::{AccuracyChoice, PolicyFlags, parse_size, parse_threads};
+use crate::cli::tracing_flags::{AccuracyChoice, PolicyFlags, parse_size, parse_threads, tiers_of};
 use rayproof::accuracy::Hazard;
 use rayproof::bounds::Bounds;
 use rayproof::error::{Error, Result};
@@ -102,13 +102,7 @@ impl AccuracyArguments {
 
     /// The tiers to measure, each once.
     pub(super) fn tiers(&self) -> Vec<Accuracy> {
-        if self.tier.is_empty() {
-            return Accuracy::ALL.to_vec();
-        }
-        let mut tiers: Vec<_> = self.tier.iter().map(|choice| choice.accuracy()).collect();
-        tiers.sort();
-        tiers.dedup();
-        tiers
+        tiers_of(&self.tier)
     }
 
     pub(super) fn bounds(&self) -> Bounds {
