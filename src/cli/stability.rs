@@ -3,6 +3,7 @@
 pub(super) mod flags;
 mod results;
 
+use std::path::Path;
 use std::time::Instant;
 
 use self::flags::StabilityArguments;
@@ -11,8 +12,10 @@ use super::Outcome;
 use super::flags::Common;
 use super::progress::Progress;
 use super::report;
-use rayproof::error::Result;
+use rayproof::error::{Error, Result};
+use rayproof::frame::{check_writable, write_rgb8};
 use rayproof::render::Backend;
+use rayproof::stability::view::View;
 use rayproof::stability::{Case, Station, try_case};
 use rayproof::watch::Watch;
 
@@ -23,7 +26,15 @@ pub(super) fn run(arguments: &StabilityArguments, common: &Common) -> Result<Out
         report::print(&results::listed(&cases, common.json))?;
         return Ok(Outcome::Done);
     }
+    let view = arguments.view()?;
+    if let Some((path, _)) = view {
+        check_writable(path)?;
+    }
     let backends = arguments.backends()?;
+    if let Some((path, view)) = view {
+        draw(view, path, &stations(arguments, &backends), common)?;
+        return Ok(Outcome::Done);
+    }
     let mut results = Results {
         rounds: arguments.rounds(),
         seconds: 0.0,
@@ -52,6 +63,35 @@ pub(super) fn run(arguments: &StabilityArguments, common: &Common) -> Result<Out
     } else {
         Outcome::FellShort
     })
+}
+
+/// Black pixels between two pictures.
+const GAP: usize = 4;
+
+/// Writes what a case looks like in each tier, side by side, on the last of the backends.
+fn draw(view: &View, path: &Path, stations: &[Station<'_>], common: &Common) -> Result<()> {
+    let Some(last) = stations.last() else {
+        return Err(Error::Usage("no backend has such a tier".into()));
+    };
+    let on_last = |station: &&Station<'_>| std::ptr::eq(station.backend, last.backend);
+    let progress = Progress::new(common, view.id);
+    let pictures: Vec<(Vec<u8>, [u32; 2])> = stations
+        .iter()
+        .filter(on_last)
+        .map(|station| view.picture(station, &progress))
+        .collect::<Result<_>>()?;
+    let height = pictures[0].1[1];
+    let mut rows: Vec<Vec<u8>> = vec![Vec::new(); height as usize];
+    for (number, (pixels, [width, _])) in pictures.iter().enumerate() {
+        for (row, pixels) in rows.iter_mut().zip(pixels.chunks(3 * *width as usize)) {
+            if number > 0 {
+                row.extend([0; 3 * GAP]);
+            }
+            row.extend(pixels);
+        }
+    }
+    let width = rows[0].len() / 3;
+    write_rgb8(path, width as u32, height, &rows.concat())
 }
 
 /// The tiers that each backend has.

@@ -18,6 +18,7 @@ pub mod residual;
 pub mod shapes;
 pub mod subject;
 pub mod tally;
+pub mod view;
 
 mod arithmetic;
 mod bounds;

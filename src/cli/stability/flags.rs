@@ -1,6 +1,7 @@
 //! The flags of `rayproof stability`, and their conversion into checked options.
 
 use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
@@ -9,6 +10,7 @@ use rayproof::error::{Error, Result};
 use rayproof::gpu::adapter::adapters;
 use rayproof::gpu::device::Gpu;
 use rayproof::render::{Accuracy, Backend};
+use rayproof::stability::view::{VIEWS, View, view_of};
 use rayproof::stability::{Case, FAMILIES, catalogue};
 
 /// What `--thorough` multiplies the rays by.
@@ -37,6 +39,16 @@ pub(in crate::cli) struct StabilityArguments {
     /// Tell what the cases are, and try none
     #[arg(long)]
     pub(super) list: bool,
+    /// In place of trying a case that can be seen, write a picture of it (.png): each tier's
+    /// wrong pixels in colour, the tiers side by side
+    #[arg(
+        long,
+        short,
+        value_name = "FILE",
+        requires = "case",
+        conflicts_with = "list"
+    )]
+    output: Option<PathBuf>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -68,6 +80,33 @@ impl StabilityArguments {
         let is_wanted =
             |case: &&Case| self.case.is_empty() || self.case.iter().any(|name| fits(case, name));
         Ok(catalogue().filter(is_wanted).collect())
+    }
+
+    /// Where to write a picture, and of which case.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Usage`] where there is no picture of what is asked for.
+    pub(super) fn view(&self) -> Result<Option<(&Path, &'static View)>> {
+        let Some(path) = &self.output else {
+            return Ok(None);
+        };
+        if path.extension().is_none_or(|ending| ending != "png") {
+            let path = path.display();
+            return Err(Error::Usage(format!("`{path}` is not a picture (.png)")));
+        }
+        let view = match self.case.as_slice() {
+            [id] => view_of(id),
+            _ => None,
+        };
+        view.map(|view| Some((path.as_path(), view)))
+            .ok_or_else(|| {
+                let ids: Vec<&str> = VIEWS.iter().map(|view| view.id).collect();
+                Error::Usage(format!(
+                    "a picture shows one case, and these can be seen: {}",
+                    ids.join(", ")
+                ))
+            })
     }
 
     /// The tiers to try, each once.
