@@ -65,33 +65,16 @@ pub(super) fn run(arguments: &StabilityArguments, common: &Common) -> Result<Out
     })
 }
 
-/// Black pixels between two pictures.
-const GAP: usize = 4;
-
 /// Writes what a case looks like in each tier, side by side, on the last of the backends.
 fn draw(view: &View, path: &Path, stations: &[Station<'_>], common: &Common) -> Result<()> {
     let Some(last) = stations.last() else {
         return Err(Error::Usage("no backend has such a tier".into()));
     };
     let on_last = |station: &&Station<'_>| std::ptr::eq(station.backend, last.backend);
+    let stations: Vec<Station<'_>> = stations.iter().filter(on_last).copied().collect();
     let progress = Progress::new(common, view.id);
-    let pictures: Vec<(Vec<u8>, [u32; 2])> = stations
-        .iter()
-        .filter(on_last)
-        .map(|station| view.picture(station, &progress))
-        .collect::<Result<_>>()?;
-    let height = pictures[0].1[1];
-    let mut rows: Vec<Vec<u8>> = vec![Vec::new(); height as usize];
-    for (number, (pixels, [width, _])) in pictures.iter().enumerate() {
-        for (row, pixels) in rows.iter_mut().zip(pixels.chunks(3 * *width as usize)) {
-            if number > 0 {
-                row.extend([0; 3 * GAP]);
-            }
-            row.extend(pixels);
-        }
-    }
-    let width = rows[0].len() / 3;
-    write_rgb8(path, width as u32, height, &rows.concat())
+    let (pixels, [width, height]) = view.side_by_side(&stations, &progress)?;
+    write_rgb8(path, width, height, &pixels)
 }
 
 /// The tiers that each backend has.

@@ -2,14 +2,15 @@
 
 use glam::DVec3;
 
+use super::demand::band_of;
 use super::shapes::{flat_of, mesh, scene_of, sphere};
-use super::subject::Subject;
+use super::subject::{Station, Subject};
 use crate::accuracy::errors::verdict;
 use crate::accuracy::truth::rounded_rays;
 use crate::accuracy::{Truths, Widths};
 use crate::bounds::Bounds;
 use crate::error::Result;
-use crate::frame::{Layer, wrong_colors};
+use crate::frame::{Layer, Verdict, wrong_colors};
 use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::scene::{Light, Mesh, Scene, Transfer};
@@ -47,9 +48,38 @@ pub fn view_of(id: &str) -> Option<&'static View> {
     VIEWS.iter().find(|view| view.id == id)
 }
 
+/// Black pixels between two pictures.
+const GAP: usize = 4;
+
 impl View {
+    /// The pictures of several subjects, from left to right.
+    ///
+    /// # Errors
+    ///
+    /// As [`View::picture`].
+    pub fn side_by_side(
+        &self,
+        subjects: &[Station<'_>],
+        watch: &dyn Watch,
+    ) -> Result<(Vec<u8>, [u32; 2])> {
+        let mut rows: Vec<Vec<u8>> = Vec::new();
+        for subject in subjects {
+            let (pixels, [width, height]) = self.picture(subject, watch)?;
+            rows.resize(height as usize, Vec::new());
+            for (row, pixels) in rows.iter_mut().zip(pixels.chunks(3 * width as usize)) {
+                if !row.is_empty() {
+                    row.extend([0; 3 * GAP]);
+                }
+                row.extend(pixels);
+            }
+        }
+        let width = rows.first().map_or(0, |row| row.len() / 3);
+        let size = [width as u32, rows.len() as u32];
+        Ok((rows.concat(), size))
+    }
+
     /// The picture of a subject's errors: the exact picture in grey, wrong pixels in colour.
-    /// Three bytes a pixel; width and height.
+    /// Where two shapes meet, either is right. Three bytes a pixel; width and height.
     ///
     /// # Errors
     ///
@@ -65,7 +95,10 @@ impl View {
         let verdicts: Vec<_> = found
             .iter()
             .zip(&truths.0)
-            .map(|(found, truth)| verdict(found.id, truth.id))
+            .map(|(found, truth)| match verdict(found.id, truth.id) {
+                Verdict::WrongShape if truth.margin <= band_of(on.tier()) => Verdict::Right,
+                verdict => verdict,
+            })
             .collect();
         let base = base.to_rgb8(Layer::Color, Transfer::Srgb);
         Ok((wrong_colors(&base, &verdicts), widths.double.size))
