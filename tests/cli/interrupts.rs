@@ -122,6 +122,17 @@ fn an_interrupt_ends_a_benchmark() {
 }
 
 #[test]
+fn an_interrupt_ends_the_hard_cases() {
+    let room = Room::new();
+    let mut work = Work::start(&room, "stability --thorough --progress json");
+    work.await_progress();
+    work.signal("INT");
+    let (code, took) = work.end();
+    assert_eq!(code, Some(130));
+    assert!(took < SOON, "{took:?}");
+}
+
+#[test]
 fn an_interrupt_ends_what_does_not_ask_for_it() {
     let room = Room::new();
     let line = "mesh knot --detail 10000000 -o a.obj";

@@ -12,6 +12,7 @@ mod limits;
 mod meshes;
 mod outputs;
 mod renders;
+mod stability;
 mod streams;
 mod why;
 
