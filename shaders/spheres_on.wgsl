@@ -34,4 +34,7 @@ fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     let normal = sphere_normal(ray, sphere, hit.t);
     (*surface).position = vec3<f32>(sphere_point(ray, sphere, normal, hit.t));
     (*surface).normal = vec3<f32>(face_viewer(normal, ray.direction));
+    (*surface).facing = (*surface).normal;
+    let reach = taxicab_length_f32(vec3<f32>(sphere.center)) + f32(sphere.radius);
+    (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }

@@ -38,6 +38,7 @@ pub mod kernel;
 pub mod layout;
 pub mod measure;
 pub mod oracle;
+pub mod paths;
 mod ramp;
 pub mod render;
 pub mod report;

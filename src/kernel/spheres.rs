@@ -7,7 +7,7 @@ use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::face_viewer;
+use super::vector::{Vec3, face_viewer, taxicab_length};
 use super::{sphere, sphere_bounded, sphere_meeting, sphere_textbook};
 use crate::flat::Flat;
 use crate::tier::Formulas;
@@ -50,8 +50,12 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
             (normal, sphere::sphere_point(ray, sphere, normal, hit.t))
         }
     };
+    let facing = face_viewer(normal, ray.direction).to_f32();
+    let reach = taxicab_length(Vec3::from(sphere.center).to_f32()) + sphere.radius.to_f32();
     Some(Surface {
         position: position.to_f32(),
-        normal: face_viewer(normal, ray.direction).to_f32(),
+        normal: facing,
+        facing,
+        reach: reach + taxicab_length(ray.origin.to_f32()),
     })
 }
