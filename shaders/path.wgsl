@@ -20,6 +20,9 @@ struct AimRecord {
     kind: f32,
 }
 
+// The largest number: of rays whose numbers would be larger, a path goes nowhere.
+const LARGEST: f32 = 3.4028234663852886e38;
+
 // Whether a path has come to its end: it goes nowhere.
 fn is_over(ray: Ray) -> bool {
     return taxicab_length_f32(vec3<f32>(ray.direction)) == 0.0;
@@ -42,14 +45,20 @@ fn leaving_direction(aim: AimRecord, surface: Surface, direction: vec3<f32>) -> 
 // The ray that leaves the surface that a ray met, its numbers those of f32 in every width;
 // one that goes nowhere where the ray met nothing.
 fn next_ray(ray: Ray, hit: Hit, aim: AimRecord) -> Ray {
+    let nowhere = Ray(ray.origin, vec3<real>(vec3<f32>()));
     if hit.id == NO_HIT {
-        return Ray(ray.origin, vec3<real>(vec3<f32>()));
+        return nowhere;
     }
     let surface = surface_of(ray, hit);
     var direction = leaving_direction(aim, surface, vec3<f32>(ray.direction));
     let origin = leave_surface(surface.position, surface.facing, direction, surface.reach);
     if aim.kind == TO {
         direction = aim.vector - origin;
+    }
+    // So that no number is none either.
+    let is_sound = taxicab_length_f32(origin) + taxicab_length_f32(direction) <= LARGEST;
+    if !is_sound {
+        return nowhere;
     }
     return Ray(vec3<real>(origin), vec3<real>(direction));
 }

@@ -27,6 +27,6 @@ fn plane_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     (*surface).position = position;
     (*surface).normal = vec3<f32>(face_viewer(plane_at(hit.row).normal, ray.direction));
     (*surface).facing = (*surface).normal;
-    let from = taxicab_length_f32(vec3<f32>(ray.origin));
-    (*surface).reach = taxicab_length_f32(position) + from;
+    let reach = taxicab_length_f32(position);
+    (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }

@@ -32,6 +32,9 @@ pub struct AimRecord {
     pub kind: f32,
 }
 
+/// The largest number: of rays whose numbers would be larger, a path goes nowhere.
+pub const LARGEST: f32 = f32::MAX;
+
 /// Whether a path has come to its end: it goes nowhere.
 pub fn is_over<R: Real>(ray: Ray<R>) -> bool {
     taxicab_length(ray.direction.to_f32()) == 0.0
@@ -54,17 +57,23 @@ pub fn leaving_direction(aim: AimRecord, surface: &Surface, direction: Vec3<f32>
 /// The ray that leaves the surface that a ray met, its numbers those of f32 in every width;
 /// one that goes nowhere where the ray met nothing.
 pub fn next_ray<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>, aim: AimRecord) -> Ray<R> {
+    let nowhere = Ray {
+        origin: ray.origin,
+        direction: Vec3::default(),
+    };
     if hit.id == NO_HIT {
-        return Ray {
-            origin: ray.origin,
-            direction: Vec3::default(),
-        };
+        return nowhere;
     }
     let surface = surface_of(flat, ray, hit);
     let mut direction = leaving_direction(aim, &surface, ray.direction.to_f32());
     let origin = leave_surface::<R>(surface.position, surface.facing, direction, surface.reach);
     if aim.kind == TO {
         direction = aim.vector - origin;
+    }
+    // So that no number is none either.
+    let is_sound = taxicab_length(origin) + taxicab_length(direction) <= LARGEST;
+    if !is_sound {
+        return nowhere;
     }
     Ray { origin, direction }.converted()
 }

@@ -32,10 +32,11 @@ pub fn plane_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Optio
     let plane = &flat.planes[hit.row as usize];
     let position = (ray.origin + ray.direction * hit.t).to_f32();
     let facing = face_viewer(Vec3::from(plane.normal), ray.direction).to_f32();
+    let reach = taxicab_length(position);
     Some(Surface {
         position,
         normal: facing,
         facing,
-        reach: taxicab_length(position) + taxicab_length(ray.origin.to_f32()),
+        reach: reach + taxicab_length(ray.origin.to_f32()),
     })
 }

@@ -103,7 +103,7 @@ fn a_corner_of_mirrors_returns_what_comes_in() {
         .map(|_| {
             let mut inside = || n.between(0.1, 1.0) as f32;
             Ray {
-                origin: vec3(inside(), inside(), inside() - 2.0),
+                origin: vec3(inside(), inside(), inside() - 5.0),
                 direction: vec3(-inside(), -inside(), -inside()),
             }
         })
