@@ -91,7 +91,6 @@ fn both_backends_follow_the_same_paths() {
             assert_eq!(differing, 0, "{case}");
             assert_eq!(left.len(), right.len());
             assert_eq!(on_cpu.retraced, on_gpu.retraced, "{case}");
-            println!("{case}: {} of {} retraced", on_cpu.retraced, rays.len());
             // The controls: paths go on, and end; and a moved ray is noticed.
             let last = on_cpu.found.chunks(legs as usize).map(|legs| legs[4].id);
             let lost = last.filter(|&id| id == NO_HIT).count();
