@@ -265,3 +265,37 @@ impl Kernel {
         clock.map_or(Ok(0.0), |clock| clock.seconds(gpu))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn program(number: usize) -> Source {
+        let text = format!("@compute @workgroup_size(1) fn entry_{number}() {{}}");
+        Source::new("trial.wgsl", text.leak())
+    }
+
+    #[test]
+    fn a_program_is_compiled_once_and_few_are_kept() {
+        let gpu = Gpu::open(None).unwrap();
+        let entry = |number: usize, width| {
+            let kernel = gpu.kernel(&[program(number)], width).unwrap();
+            kernel.pipelines[&format!("entry_{number}")].clone()
+        };
+        let first = entry(0, Width::Single);
+        assert_eq!(entry(0, Width::Single), first);
+        // The controls: of another width it is another one, and one of another text too.
+        assert_ne!(entry(0, Width::Extended), first);
+        for number in 1..MOST_KEPT + 10 {
+            entry(number, Width::Single);
+        }
+        assert_eq!(gpu.kernels.kept().len(), MOST_KEPT);
+        assert_ne!(entry(0, Width::Single), first);
+        // What does not compile is told each time.
+        let broken = Source::new("broken.wgsl", "fn broken() { return 1.0; }");
+        for _ in 0..2 {
+            let refused = gpu.kernel(&[broken], Width::Single).unwrap_err();
+            assert!(refused.to_string().contains("broken.wgsl:1"), "{refused}");
+        }
+    }
+}

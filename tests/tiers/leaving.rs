@@ -10,7 +10,8 @@ use rayproof::kernel::probe::probe_of;
 use rayproof::kernel::real::Real;
 use rayproof::kernel::trace::{find_hit, surface_of};
 use rayproof::kernel::two_float::TwoFloat;
-use rayproof::kernel::vector::{Vec3, dot_product, vec3};
+use rayproof::kernel::vector::{Vec3, dot_product, vec3, vector_length};
+use rayproof::layout::NO_HIT;
 use rayproof::scene::{Geometry, Shape, Transform};
 use rayproof::tier::Textbook;
 
@@ -154,4 +155,73 @@ fn a_fixed_offset_is_not_enough() {
         let worst = of_kind.map(|(_, again)| *again).max();
         assert!(worst > Some(RAYS / 5), "{kind}: {found:?}");
     }
+}
+
+/// On a planet, 2 above its ground or elsewhere, a ray leaves it too, and not far from it.
+fn left_planet<R: Real>() {
+    let mut scene = white_scene(vec![Shape {
+        geometry: Geometry::Sphere {
+            center: -DVec3::Y * (PLANET + 2.0),
+            radius: PLANET,
+        },
+        transform: Transform::default(),
+        material: 0,
+    }]);
+    scene.camera.eye = DVec3::ZERO;
+    scene.camera.target = -DVec3::Z;
+    let flat = flatten::<R>(&scene);
+    let mut n = Numbers(13);
+    let mut left = 0;
+    for index in 0..4 * RAYS {
+        let from = if index % 2 == 0 {
+            DVec3::ZERO
+        } else {
+            n.vector(10f64.powf(n.between(0.0, 3.0))) + DVec3::Y * 1e3
+        };
+        // Down, and towards the horizon.
+        let mut along = n.vector(1.0);
+        along.y = -10f64.powf(n.between(-3.0, 0.0));
+        let ray = Ray {
+            origin: single_vector(from),
+            direction: single_vector(along),
+        };
+        let ray: Ray<R> = ray.converted();
+        let mut hit = no_hit();
+        find_hit(&flat, probe_of(ray), &mut hit);
+        if hit.id != 0 {
+            continue;
+        }
+        left += 1;
+        let surface = surface_of(&flat, ray, hit);
+        let normal = surface.facing;
+        let mut direction = single_vector(n.vector(1.0));
+        if index % 3 == 0 {
+            direction = direction - normal * (dot_product(direction, normal) * 0.999);
+        }
+        if dot_product(direction, normal) <= 0.0 {
+            direction = -direction;
+        }
+        let origin = leave_surface::<R>(surface.position, normal, direction, surface.reach);
+        let next = Ray { origin, direction };
+        let mut second = no_hit();
+        find_hit(&flat, probe_of(next.converted::<R>()), &mut second);
+        assert_eq!(second.id, NO_HIT, "{ray:?} {surface:?} {next:?} {second:?}");
+        let way = from.abs().element_sum()
+            + DVec3::from(<[f32; 3]>::from(surface.position).map(f64::from))
+                .abs()
+                .element_sum();
+        let moved = f64::from(vector_length(origin - surface.position));
+        assert!(moved < 1e-5 * (way + 10.0), "{moved} {way}");
+    }
+    assert!(left > RAYS, "{left}");
+}
+
+/// The radius of the earth.
+const PLANET: f64 = 6_371_000.0;
+
+#[test]
+fn the_ground_of_a_planet_is_left_by_little() {
+    left_planet::<f32>();
+    left_planet::<TwoFloat>();
+    left_planet::<f64>();
 }
