@@ -30,6 +30,10 @@ fn disk_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     if hit.id < tables.first_disk || hit.id >= tables.first_triangle {
         return;
     }
+    let disk = disk_at(hit.row);
     (*surface).position = vec3<f32>(ray.origin + ray.direction * hit.t);
-    (*surface).normal = vec3<f32>(face_viewer(disk_at(hit.row).normal, ray.direction));
+    (*surface).normal = vec3<f32>(face_viewer(disk.normal, ray.direction));
+    (*surface).facing = (*surface).normal;
+    let reach = taxicab_length_f32(vec3<f32>(disk.center)) + f32(disk.radius);
+    (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }

@@ -20,6 +20,10 @@ fn limit_of(hit: Hit) -> real {
     return hit.t;
 }
 
+fn is_in_doubt(hit: Hit) -> bool {
+    return false;
+}
+
 fn load_doubt(index: u32, hit: ptr<function, Hit>) {
 }
 

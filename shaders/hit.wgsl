@@ -42,12 +42,17 @@ struct Meeting {
     high: real,
 }
 
-// What shading needs to know of a hit.
+// What shading needs to know of a hit, and a ray that leaves from there.
 struct Surface {
     // Camera-relative.
     position: vec3<f32>,
     // Unit length, facing the viewer.
     normal: vec3<f32>,
+    // The same of the shape itself: another one where normals are smooth.
+    facing: vec3<f32>,
+    // How far the shape reaches from the camera, and the ray's origin, by their taxicab
+    // lengths: what roundings are parts of.
+    reach: f32,
 }
 
 // Nothing hit, nothing tested.

@@ -123,9 +123,9 @@ struct Dispatch {
     steps: u32,
     last: u32,
     first_doubtful: u32,
+    legs: u32,
     padding_0: u32,
     padding_1: u32,
-    padding_2: u32,
 }
 
 struct HitRecord {

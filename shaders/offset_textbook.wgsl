@@ -4,11 +4,11 @@
 const FIXED_OFFSET: f32 = 1e-3;
 
 fn leave_surface(
-    point: vec3<real>,
-    normal: vec3<real>,
-    direction: vec3<real>,
-    reach: real,
-) -> vec3<real> {
-    let away = select(normal, -normal, dot_product(normal, direction) < 0.0);
-    return point + away * real(FIXED_OFFSET);
+    position: vec3<f32>,
+    facing: vec3<f32>,
+    direction: vec3<f32>,
+    reach: f32,
+) -> vec3<f32> {
+    let away = select(facing, -facing, dot_product_f32(facing, direction) < 0.0);
+    return position + away * FIXED_OFFSET;
 }

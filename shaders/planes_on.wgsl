@@ -23,6 +23,10 @@ fn plane_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     if hit.id < tables.first_plane || hit.id >= tables.first_disk {
         return;
     }
-    (*surface).position = vec3<f32>(ray.origin + ray.direction * hit.t);
+    let position = vec3<f32>(ray.origin + ray.direction * hit.t);
+    (*surface).position = position;
     (*surface).normal = vec3<f32>(face_viewer(plane_at(hit.row).normal, ray.direction));
+    (*surface).facing = (*surface).normal;
+    let reach = taxicab_length_f32(position);
+    (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }

@@ -3,7 +3,8 @@
 // Of each ray, where it starts and where it goes; in f32 in every width.
 @group(0) @binding(12) var<storage, read> rays: array<vec4<f32>>;
 
-// Of each ray, the parts of t and the primitive; t is below 0 where the ray was given up.
+// Of each leg of a ray, the parts of t and the primitive; t is below 0 where the ray was
+// given up.
 @group(0) @binding(13) var<storage, read_write> found: array<vec4<u32>>;
 
 // Ray `index` of the list.
@@ -13,14 +14,11 @@ fn ray_at(index: u32) -> Ray {
     return Ray(vec3<real>(origin), vec3<real>(direction));
 }
 
-// Finds the closest hit of a ray of the list.
-fn trace_ray(index: u32) -> Hit {
-    var hit = no_hit();
-    closest_hit(probe_of(ray_at(index)), &hit);
+// Leaves what was found.
+fn keep_found(place: u32, hit: Hit) {
     var parts = parts_of(hit.t);
     if hit.tests == GIVEN_UP {
         parts.x = -1.0;
     }
-    found[index] = vec4<u32>(bitcast<vec3<u32>>(parts), hit.id);
-    return hit;
+    found[place] = vec4<u32>(bitcast<vec3<u32>>(parts), hit.id);
 }

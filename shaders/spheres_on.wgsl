@@ -1,5 +1,9 @@
 // All spheres: which one is nearest, and what is found there.
 
+// Near the surface of a large sphere, what of its radius counts as its reach: roundings are
+// parts of the way to the point, and only the squares of roundings of the radius.
+const NEAR_REACH: f32 = 1.0 / 1048576.0;
+
 // The sphere in a row of the table.
 fn sphere_at(row: u32) -> Sphere {
     let quad = reals_at(tables.spheres, 2u * row);
@@ -32,6 +36,14 @@ fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     }
     let sphere = sphere_at(hit.row);
     let normal = sphere_normal(ray, sphere, hit.t);
-    (*surface).position = vec3<f32>(sphere_point(ray, sphere, normal, hit.t));
+    let position = vec3<f32>(sphere_point(ray, sphere, normal, hit.t));
+    (*surface).position = position;
     (*surface).normal = vec3<f32>(face_viewer(normal, ray.direction));
+    (*surface).facing = (*surface).normal;
+    let radius = f32(sphere.radius);
+    var reach = taxicab_length_f32(vec3<f32>(sphere.center)) + radius;
+    if is_near(sphere) {
+        reach = taxicab_length_f32(position) + radius * NEAR_REACH;
+    }
+    (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }

@@ -12,13 +12,19 @@ fn test_rows(probe: Probe, kind: u32, begin: u32, end: u32, hit: ptr<function, H
     return test_triangles(probe, begin, end, hit);
 }
 
-// What the ray sees at its hit.
-fn shade_hit(ray: Ray, hit: Hit) -> Pixel {
+// The surface at the ray's hit.
+fn surface_of(ray: Ray, hit: Hit) -> Surface {
     var surface: Surface;
     sphere_surface(ray, hit, &surface);
     plane_surface(ray, hit, &surface);
     disk_surface(ray, hit, &surface);
     triangle_surface(ray, hit, &surface);
+    return surface;
+}
+
+// What the ray sees at its hit.
+fn shade_hit(ray: Ray, hit: Hit) -> Pixel {
+    let surface = surface_of(ray, hit);
     let material = material_of(hit.id);
     let depth = f32(hit.t * vector_length(ray.direction));
     let color = scattered_light(surface, material.albedo);

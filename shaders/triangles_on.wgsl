@@ -43,10 +43,13 @@ fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     let triangle = triangle_of(corners);
     let weights = triangle_weights(ray, triangle);
     (*surface).position = vec3<f32>(triangle_point(triangle, weights));
-    (*surface).normal = shading_normal(
-        corners,
-        vec3<f32>(weights),
-        vec3<f32>(triangle_normal(triangle)),
-        vec3<f32>(ray.direction),
-    );
+    let normal = vec3<f32>(triangle_normal(triangle));
+    let direction = vec3<f32>(ray.direction);
+    (*surface).normal = shading_normal(corners, vec3<f32>(weights), normal, direction);
+    (*surface).facing = face_viewer_f32(normal, direction);
+    let a = taxicab_length_f32(vec3<f32>(triangle.a));
+    let b = taxicab_length_f32(vec3<f32>(triangle.b));
+    let c = taxicab_length_f32(vec3<f32>(triangle.c));
+    let reach = greatest(greatest(a, b), c);
+    (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }

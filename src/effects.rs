@@ -134,28 +134,46 @@ pub enum Entry {
     Rays,
     /// Those of them that are in doubt.
     DoubtfulRays,
+    /// The paths of the rays of a list.
+    Paths,
+    /// Those of them that are in doubt.
+    DoubtfulPaths,
 }
 
 impl Entry {
-    fn files(self) -> &'static [Source] {
+    /// What is gone through, and what is done with it.
+    fn files(self) -> [&'static [Source]; 2] {
         match self {
-            Self::Tile => const { &[file!("tile.wgsl")] },
-            Self::DoubtfulPixels => {
-                const { &[file!("retrace.wgsl"), file!("retrace_pixels.wgsl")] }
-            }
-            Self::Rays => const { &[file!("rays.wgsl"), file!("trace_rays.wgsl")] },
-            Self::DoubtfulRays => {
-                const {
-                    &[
-                        file!("rays.wgsl"),
-                        file!("retrace.wgsl"),
-                        file!("retrace_rays.wgsl"),
-                    ]
-                }
-            }
+            Self::Tile => [&[], const { &[file!("tile.wgsl")] }],
+            Self::DoubtfulPixels => [
+                &[],
+                const { &[file!("retrace.wgsl"), file!("retrace_pixels.wgsl")] },
+            ],
+            Self::Rays => [SINGLE_RAYS, LIST],
+            Self::DoubtfulRays => [SINGLE_RAYS, DOUBTFUL_LIST],
+            Self::Paths => [PATHS, LIST],
+            Self::DoubtfulPaths => [PATHS, DOUBTFUL_LIST],
         }
     }
 }
+
+/// Rays of a list that end where they meet something.
+const SINGLE_RAYS: &[Source] = &[file!("rays.wgsl"), file!("single_rays.wgsl")];
+
+/// Rays of a list that go on there.
+const PATHS: &[Source] = &[
+    file!("rays.wgsl"),
+    file!("followed_rays.wgsl"),
+    file!("path.wgsl"),
+    file!("mirror.wgsl"),
+    file!("refract.wgsl"),
+];
+
+/// All rays of a list.
+const LIST: &[Source] = &[file!("trace_rays.wgsl")];
+
+/// Those of them that are in doubt.
+const DOUBTFUL_LIST: &[Source] = &[file!("retrace.wgsl"), file!("retrace_rays.wgsl")];
 
 /// The number type of the geometry.
 fn real_file(width: Width) -> Source {
@@ -315,7 +333,7 @@ pub fn select_files(chosen: impl Fn(&Effect) -> bool, device: Device) -> Vec<Sou
     }
     files.extend([divide, device.divide.in_f32()]);
     files.push(device.fetch.file());
-    files.extend(device.entry.files());
+    files.extend(device.entry.files().into_iter().flatten());
     files.push(if device.count {
         file!("count_on.wgsl")
     } else {

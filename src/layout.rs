@@ -327,8 +327,10 @@ records! {
         last: u32,
         /// Of a list of rays in doubt, the first that the dispatch is for.
         first_doubtful: u32,
+        /// Of paths, how far they are followed: rays one after the other.
+        legs: u32,
         /// Unused.
-        padding: [u32; 3],
+        padding: [u32; 2],
     }
 
     /// A pixel's closest hit so far, carried from one dispatch to the next.

@@ -39,6 +39,7 @@ pub mod kernel;
 pub mod layout;
 pub mod measure;
 pub mod oracle;
+pub mod paths;
 mod ramp;
 pub mod random;
 pub mod render;

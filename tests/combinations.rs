@@ -18,16 +18,21 @@ const NATIVE: Device = Device {
     entry: Entry::Tile,
 };
 
-const ENTRIES: [Entry; 4] = [
+const ENTRIES: [Entry; 6] = [
     Entry::Tile,
     Entry::DoubtfulPixels,
     Entry::Rays,
     Entry::DoubtfulRays,
+    Entry::Paths,
+    Entry::DoubtfulPaths,
 ];
 
 /// A device of a tier. Where the adaptive one traces again, it does so in f64.
 fn of_tier(accuracy: Accuracy, entry: Entry) -> Device {
-    let again = matches!(entry, Entry::DoubtfulPixels | Entry::DoubtfulRays);
+    let again = matches!(
+        entry,
+        Entry::DoubtfulPixels | Entry::DoubtfulRays | Entry::DoubtfulPaths
+    );
     let (formulas, width) = match accuracy {
         Accuracy::Textbook => (Formulas::Textbook, Width::Single),
         Accuracy::Robust => (Formulas::Stable, Width::Single),
@@ -77,8 +82,8 @@ fn every_tier_and_entry_compiles() {
                 let stages: Vec<&str> = program.entry_points().collect();
                 let expected = match entry {
                     Entry::Tile => "trace_tile",
-                    Entry::Rays => "trace_rays",
-                    Entry::DoubtfulPixels | Entry::DoubtfulRays => "retrace",
+                    Entry::Rays | Entry::Paths => "trace_rays",
+                    _ => "retrace",
                 };
                 assert!(stages.contains(&expected), "{stages:?}");
             }
@@ -114,7 +119,7 @@ fn every_combination_of_effects_compiles() {
                 count: choice & 2 == 2,
                 ..of_tier(
                     Accuracy::ALL[choice as usize % 5],
-                    ENTRIES[choice as usize / 5 % 4],
+                    ENTRIES[choice as usize / 5 % ENTRIES.len()],
                 )
             };
             let files = select_files(|effect| on(effect.name), device);
@@ -128,6 +133,7 @@ fn every_combination_of_effects_compiles() {
             // Formulas that bound their error are others; a list's rays are not coloured.
             let bounded = device.formulas == Formulas::Bounded;
             let coloured = matches!(device.entry, Entry::Tile | Entry::DoubtfulPixels);
+            let followed = matches!(device.entry, Entry::Paths | Entry::DoubtfulPaths);
             for (effect, function, possible) in [
                 ("spheres", "meet_sphere", true),
                 ("disks", "meet_disk", true),
@@ -135,7 +141,7 @@ fn every_combination_of_effects_compiles() {
                 ("spheres", "intersect_sphere", !bounded),
                 ("disks", "intersect_disk", !bounded),
                 ("triangles", "intersect_triangle", !bounded),
-                ("spheres", "sphere_normal", coloured),
+                ("spheres", "sphere_normal", coloured || followed),
                 ("tree", "children_of", true),
                 ("point lights", "point_irradiance", coloured),
                 ("directional lights", "directional_irradiance", coloured),
@@ -150,7 +156,10 @@ fn every_combination_of_effects_compiles() {
             assert_eq!(defines("meets_ball"), balls, "{choice:b}");
             let boxes = lists && on("bounding boxes");
             assert_eq!(defines("box_at"), boxes, "{choice:b}");
-            let smooth = on("triangles") && on("smooth normals") && coloured;
+            for function in ["leave_surface", "mirrored", "refracted"] {
+                assert_eq!(defines(function), followed, "{function} in {choice:b}");
+            }
+            let smooth = on("triangles") && on("smooth normals") && (coloured || followed);
             assert_eq!(defines("vertex_normal_at"), smooth, "{choice:b}");
             let planes = on("planes") || on("disks");
             let crossing = ["intersect_plane", "bound_crossing"].map(defines);

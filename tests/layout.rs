@@ -8,10 +8,12 @@ use rayproof::kernel::doubt::{ERROR, WIDE_INTERVAL};
 use rayproof::kernel::hit::GIVEN_UP;
 use rayproof::kernel::offset::{FIXED_OFFSET, OFFSET};
 use rayproof::kernel::own_box::{PADDING, SLACK};
+use rayproof::kernel::path::{LARGEST, MIRRORED, REFRACTED, TO, TOWARDS};
 use rayproof::kernel::plane_bounded::PLANE_ERROR;
 use rayproof::kernel::plane_textbook::PARALLEL;
 use rayproof::kernel::screen::WORD;
 use rayproof::kernel::sphere_bounded::{NEAR_ERROR, RADIUS_ERROR, SQUARE_ERROR};
+use rayproof::kernel::spheres::NEAR_REACH;
 use rayproof::kernel::tree::{MOST_VISITS, STACK};
 use rayproof::kernel::triangle_bounded::TRIANGLE_ERROR;
 use rayproof::kernel::triangle_textbook::EDGE_ON;
@@ -129,13 +131,13 @@ fn a_wrong_layout_is_noticed() {
     assert!(mismatch::<Narrow>(&program).is_some());
 }
 
-/// The bindings of the modules with all effects: the pixels of a tile and the rays of a
-/// list, by formulas that bound their error; and those in doubt, in f64. A buffer is bound by
+/// The bindings of the modules with all effects: the pixels of a tile, the rays of a
+/// list and their paths, by formulas that bound their error; and those in doubt, in f64. A buffer is bound by
 /// its name and at the number that naga reports, so this table is the only place that
 /// repeats the numbers.
 #[test]
 fn bindings_are_these() {
-    const NUMBERS: [(&str, u32); 13] = [
+    const NUMBERS: [(&str, u32); 15] = [
         ("dispatch", 0),
         ("camera", 1),
         ("surroundings", 2),
@@ -149,10 +151,12 @@ fn bindings_are_these() {
         ("bounds", 11),
         ("rays", 12),
         ("found", 13),
+        ("aims", 14),
+        ("ends", 15),
     ];
     let access = |name: &str| match name {
         "dispatch" | "camera" | "surroundings" | "tables" | "split" => Access::Uniform,
-        "rays" => Access::Read,
+        "rays" | "aims" => Access::Read,
         _ => Access::Write,
     };
     let frame = ["dispatch", "camera", "surroundings", "tables"];
@@ -168,6 +172,8 @@ fn bindings_are_these() {
     let mut of_list = vec!["dispatch", "camera", "tables"];
     of_list.extend(list);
     of_list.extend(screen);
+    let mut of_paths = of_list.clone();
+    of_paths.extend(["aims", "ends"]);
     let (bounded, stable) = (Formulas::Bounded, Formulas::Stable);
     let (single, double) = (Width::Single, Width::Double);
     for (entry, formulas, width, names) in [
@@ -175,6 +181,8 @@ fn bindings_are_these() {
         (Entry::DoubtfulPixels, stable, double, &of_doubtful),
         (Entry::Rays, bounded, single, &of_list),
         (Entry::DoubtfulRays, stable, double, &of_list),
+        (Entry::Paths, bounded, single, &of_paths),
+        (Entry::DoubtfulPaths, stable, double, &of_paths),
     ] {
         for (fetch, scene) in [
             (Fetch::Storage, Access::Read),
@@ -260,9 +268,11 @@ fn constants_are_the_hosts() {
     let aabb = include_str!("../shaders/aabb.wgsl");
     let cone = include_str!("../shaders/cone.wgsl");
     let doubt = include_str!("../shaders/doubt_on.wgsl");
+    let near = include_str!("../shaders/spheres_on.wgsl");
     let offset = include_str!("../shaders/offset.wgsl");
     let offset_textbook = include_str!("../shaders/offset_textbook.wgsl");
     let own_box = include_str!("../shaders/own_box.wgsl");
+    let path = include_str!("../shaders/path.wgsl");
     let plane_bounded = include_str!("../shaders/plane_bounded.wgsl");
     let plane_textbook = include_str!("../shaders/plane_textbook.wgsl");
     let sphere_bounded = include_str!("../shaders/sphere_bounded.wgsl");
@@ -274,8 +284,14 @@ fn constants_are_the_hosts() {
         (cone, "CONE_SLACK", CONE_SLACK),
         (doubt, "ERROR", ERROR),
         (doubt, "WIDE_INTERVAL", WIDE_INTERVAL),
+        (near, "NEAR_REACH", NEAR_REACH),
         (offset, "OFFSET", OFFSET),
         (offset_textbook, "FIXED_OFFSET", FIXED_OFFSET),
+        (path, "MIRRORED", MIRRORED),
+        (path, "TOWARDS", TOWARDS),
+        (path, "TO", TO),
+        (path, "REFRACTED", REFRACTED),
+        (path, "LARGEST", LARGEST),
         (own_box, "PADDING", PADDING),
         (own_box, "SLACK", SLACK),
         (plane_bounded, "PLANE_ERROR", PLANE_ERROR),

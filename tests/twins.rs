@@ -117,6 +117,8 @@ fn every_shader_has_a_twin_or_a_reason() {
         // Which rays an invocation takes, and where it leaves what they find.
         "tile",
         "rays",
+        "single_rays",
+        "followed_rays",
         "trace_rays",
         "retrace",
         "retrace_pixels",

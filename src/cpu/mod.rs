@@ -1,6 +1,7 @@
 //! The CPU tracer: threads over the kernel.
 
 pub mod block;
+pub mod paths;
 pub mod rays;
 pub mod search;
 pub mod wide;

@@ -28,15 +28,8 @@ pub fn trace_rays<R: Real>(
     rays: &[Ray<f32>],
     threads: Option<NonZeroUsize>,
 ) -> Result<Vec<Found>> {
-    refuse_lists(flat)?;
-    let pool = pool_of(threads)?;
-    let wide = pool.install(|| (!flat.pairs.is_empty()).then(|| Wide::new(flat)));
-    pool.install(|| {
-        let search = || Search::new(flat, wide.as_ref());
-        let hits = rays
-            .par_iter()
-            .map_init(search, |search, ray| search_ray(search, ray));
-        hits.map(Found::at).collect()
+    for_each(flat, rays, threads, |search, ray| {
+        Found::at(search_ray(search, ray))
     })
 }
 
@@ -52,28 +45,13 @@ pub fn trace_adaptively(
     rays: &[Ray<f32>],
     threads: Option<NonZeroUsize>,
 ) -> Result<(Vec<Found>, u64)> {
-    refuse_lists(first)?;
-    let pool = pool_of(threads)?;
-    let has_tree = !first.pairs.is_empty();
-    let wide = pool.install(|| has_tree.then(|| (Wide::new(first), Wide::new(second))));
-    let found: Result<Vec<(Found, bool)>> = pool.install(|| {
-        let search = || {
-            let (one, two) = (
-                wide.as_ref().map(|(one, _)| one),
-                wide.as_ref().map(|(_, two)| two),
-            );
-            (Search::new(first, one), Search::new(second, two))
-        };
-        let hits = rays.par_iter().map_init(search, |(search, again), ray| {
-            let hit = search_ray(search, ray);
-            if is_in_doubt(hit) {
-                return Ok((Found::at(search_ray(again, ray))?, true));
-            }
-            Ok((Found::at(hit)?, false))
-        });
-        hits.collect()
-    });
-    let found = found?;
+    let found = for_each_twice(first, second, rays, threads, |search, again, ray| {
+        let hit = search_ray(search, ray);
+        if is_in_doubt(hit) {
+            return Ok((Found::at(search_ray(again, ray))?, true));
+        }
+        Ok((Found::at(hit)?, false))
+    })?;
     let retraced = found.iter().filter(|(_, retraced)| *retraced).count();
     Ok((
         found.into_iter().map(|(found, _)| found).collect(),
@@ -81,7 +59,55 @@ pub fn trace_adaptively(
     ))
 }
 
-fn search_ray<R: Real>(search: &mut Search<'_, R>, ray: &Ray<f32>) -> Hit<R> {
+/// What `trace` makes of each item, by a search of the scene.
+///
+/// # Errors
+///
+/// As [`trace_rays`], and those of `trace`.
+pub(super) fn for_each<R: Real, I: Sync, T: Send>(
+    flat: &Flat<R>,
+    items: &[I],
+    threads: Option<NonZeroUsize>,
+    trace: impl Fn(&mut Search<'_, R>, &I) -> Result<T> + Sync,
+) -> Result<Vec<T>> {
+    refuse_lists(flat)?;
+    pool_of(threads)?.install(|| {
+        let wide = (!flat.pairs.is_empty()).then(|| Wide::new(flat));
+        let search = || Search::new(flat, wide.as_ref());
+        let items = items.par_iter();
+        items
+            .map_init(search, |search, item| trace(search, item))
+            .collect()
+    })
+}
+
+/// What `trace` makes of each item, by searches of the scene in both numbers.
+///
+/// # Errors
+///
+/// As [`for_each`].
+pub(super) fn for_each_twice<I: Sync, T: Send>(
+    first: &Flat<Bounded>,
+    second: &Flat<f64>,
+    items: &[I],
+    threads: Option<NonZeroUsize>,
+    trace: impl Fn(&mut Search<'_, Bounded>, &mut Search<'_, f64>, &I) -> Result<T> + Sync,
+) -> Result<Vec<T>> {
+    refuse_lists(first)?;
+    pool_of(threads)?.install(|| {
+        let has_tree = !first.pairs.is_empty();
+        let wide = has_tree.then(|| (Wide::new(first), Wide::new(second)));
+        let (one, two) = wide.as_ref().map(|(one, two)| (one, two)).unzip();
+        let search = || (Search::new(first, one), Search::new(second, two));
+        let items = items.par_iter();
+        items
+            .map_init(search, |(search, again), item| trace(search, again, item))
+            .collect()
+    })
+}
+
+/// The closest hit of a ray.
+pub(super) fn search_ray<R: Real>(search: &mut Search<'_, R>, ray: &Ray<f32>) -> Hit<R> {
     let mut hit = no_hit();
     search.closest(probe_of(ray.converted()), &mut hit);
     hit

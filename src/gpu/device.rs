@@ -6,6 +6,7 @@ use std::time::Duration;
 use wgpu::Features;
 
 use super::adapter::{AdapterDescription, choose};
+use super::kernel::Kernels;
 use super::selfcheck::{Arithmetic, measure_arithmetic};
 use crate::error::{Error, Result};
 use crate::tier::Accuracy;
@@ -47,6 +48,7 @@ pub struct Gpu {
     wanted: Option<String>,
     exact: bool,
     troubles: Arc<Troubles>,
+    pub(super) kernels: Kernels,
 }
 
 impl Gpu {
@@ -106,6 +108,7 @@ impl Gpu {
             wanted: wanted.map(str::to_string),
             exact: vulkan && features.contains(Features::PASSTHROUGH_SHADERS),
             troubles: Arc::default(),
+            kernels: Kernels::default(),
         };
         gpu.watch_for_troubles();
         gpu.arithmetic = measure_arithmetic(&gpu)?;
@@ -179,6 +182,7 @@ impl Gpu {
     /// [`Error::DeviceLost`] when the device is lost.
     pub fn give_up_exactness(&mut self) -> Result<()> {
         self.exact = false;
+        self.kernels.clear();
         self.arithmetic = measure_arithmetic(self)?;
         Ok(())
     }

@@ -1,13 +1,57 @@
 //! A program on a device: compiled, its buffers bound, run.
 
 use std::collections::HashMap;
+use std::sync::{Mutex, MutexGuard};
 
 use super::device::Gpu;
-use super::program::{Access, Binding, Program};
+use super::program::{Access, Binding, Program, Source};
+use super::source::Assembly;
 use super::timestamps::Clock;
 use crate::error::{Error, Result};
+use crate::tier::Width;
+
+/// Programs that are kept at most.
+const MOST_KEPT: usize = 64;
+
+/// Compiled programs, by their text and width: scenes that call for the same shader share it.
+#[derive(Debug, Default)]
+pub(super) struct Kernels(Mutex<Vec<Kept>>);
+
+/// A program's text, how wide its numbers are, and what it was compiled to.
+type Kept = ((String, Width), Kernel);
+
+impl Kernels {
+    fn kept(&self) -> MutexGuard<'_, Vec<Kept>> {
+        self.0.lock().unwrap_or_else(|error| error.into_inner())
+    }
+
+    /// Forgets them all.
+    pub(super) fn clear(&self) {
+        self.kept().clear();
+    }
+}
 
 impl Gpu {
+    /// The program of these files, compiled if it is not at hand.
+    ///
+    /// # Errors
+    ///
+    /// As [`Program::in_width`] and [`Gpu::compile`].
+    pub(super) fn kernel(&self, files: &[Source], width: Width) -> Result<Kernel> {
+        let key = (Assembly::join(files).wgsl, width);
+        let of_key = |(other, _): &Kept| *other == key;
+        if let Some((_, kernel)) = self.kernels.kept().iter().find(|kept| of_key(kept)) {
+            return Ok(kernel.clone());
+        }
+        let kernel = self.compile(&Program::in_width(files, width)?)?;
+        let mut kept = self.kernels.kept();
+        if kept.len() == MOST_KEPT {
+            kept.remove(0);
+        }
+        kept.push((key, kernel.clone()));
+        Ok(kernel)
+    }
+
     /// Compiles each entry point of a program.
     ///
     /// # Errors
@@ -141,7 +185,8 @@ fn binding_type(access: Access) -> wgpu::BindingType {
     }
 }
 
-/// A compiled program.
+/// A compiled program; a clone is the same one.
+#[derive(Debug, Clone)]
 pub(super) struct Kernel {
     pipelines: HashMap<String, wgpu::ComputePipeline>,
     layouts: Vec<wgpu::BindGroupLayout>,
@@ -218,5 +263,39 @@ impl Kernel {
         gpu.queue.submit([encoder.finish()]);
         gpu.wait()?;
         clock.map_or(Ok(0.0), |clock| clock.seconds(gpu))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn program(number: usize) -> Source {
+        let text = format!("@compute @workgroup_size(1) fn entry_{number}() {{}}");
+        Source::new("trial.wgsl", text.leak())
+    }
+
+    #[test]
+    fn a_program_is_compiled_once_and_few_are_kept() {
+        let gpu = Gpu::open(None).unwrap();
+        let entry = |number: usize, width| {
+            let kernel = gpu.kernel(&[program(number)], width).unwrap();
+            kernel.pipelines[&format!("entry_{number}")].clone()
+        };
+        let first = entry(0, Width::Single);
+        assert_eq!(entry(0, Width::Single), first);
+        // The controls: of another width it is another one, and one of another text too.
+        assert_ne!(entry(0, Width::Extended), first);
+        for number in 1..MOST_KEPT + 10 {
+            entry(number, Width::Single);
+        }
+        assert_eq!(gpu.kernels.kept().len(), MOST_KEPT);
+        assert_ne!(entry(0, Width::Single), first);
+        // What does not compile is told each time.
+        let broken = Source::new("broken.wgsl", "fn broken() { return 1.0; }");
+        for _ in 0..2 {
+            let refused = gpu.kernel(&[broken], Width::Single).unwrap_err();
+            assert!(refused.to_string().contains("broken.wgsl:1"), "{refused}");
+        }
     }
 }

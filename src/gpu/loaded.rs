@@ -6,7 +6,7 @@ use super::device::Gpu;
 use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
-use super::program::{Program, Source};
+use super::program::Source;
 use super::scene::PackedScene;
 use crate::effects::{Device, Entry, Fetch, shader_files};
 use crate::error::Result;
@@ -51,7 +51,7 @@ impl Loaded {
         };
         let mut files = shader_files(&flat.counts(), device);
         change(&mut files);
-        let kernel = gpu.compile(&Program::in_width(&files, R::WIDTH)?)?;
+        let kernel = gpu.kernel(&files, R::WIDTH)?;
         Ok(Self {
             kernel,
             memory: SceneMemory::upload(gpu, &scene, fetch)?,

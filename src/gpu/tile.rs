@@ -76,7 +76,8 @@ impl Tile {
             steps: rows.end - rows.start,
             last: 1,
             first_doubtful: 0,
-            padding: [0; 3],
+            legs: 0,
+            padding: [0; 2],
         }
     }
 }

@@ -6,7 +6,7 @@ use super::vector::{Vec3, vec3};
 use crate::layout::CameraRecord;
 
 /// The points `origin` + t * `direction`, t > 0. The direction has any length.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray<R> {
     /// Where the ray starts, relative to the camera.
     pub origin: Vec3<R>,

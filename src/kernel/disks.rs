@@ -7,7 +7,7 @@ use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::{Vec3, face_viewer};
+use super::vector::{Vec3, face_viewer, taxicab_length};
 use super::{disk_bounded, disk_meeting};
 use crate::flat::Flat;
 use crate::tier::Formulas;
@@ -39,8 +39,12 @@ pub fn disk_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option
         return None;
     }
     let disk = &flat.disks[hit.row as usize];
+    let facing = face_viewer(Vec3::from(disk.normal), ray.direction).to_f32();
+    let reach = taxicab_length(Vec3::from(disk.center).to_f32()) + disk.radius.to_f32();
     Some(Surface {
         position: (ray.origin + ray.direction * hit.t).to_f32(),
-        normal: face_viewer(Vec3::from(disk.normal), ray.direction).to_f32(),
+        normal: facing,
+        facing,
+        reach: reach + taxicab_length(ray.origin.to_f32()),
     })
 }

@@ -43,13 +43,18 @@ pub struct Meeting<R> {
     pub high: R,
 }
 
-/// What shading needs to know of a hit.
+/// What shading needs to know of a hit, and a ray that leaves from there.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Surface {
     /// Camera-relative.
     pub position: Vec3<f32>,
     /// Unit length, facing the viewer.
     pub normal: Vec3<f32>,
+    /// The same of the shape itself: another one where normals are smooth.
+    pub facing: Vec3<f32>,
+    /// How far the shape reaches from the camera, and the ray's origin, by their taxicab
+    /// lengths: what roundings are parts of.
+    pub reach: f32,
 }
 
 /// Nothing hit, nothing tested.

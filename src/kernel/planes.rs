@@ -5,7 +5,7 @@ use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::{Vec3, face_viewer};
+use super::vector::{Vec3, face_viewer, taxicab_length};
 use super::{plane_bounded, plane_meeting};
 use crate::flat::Flat;
 use crate::tier::Formulas;
@@ -30,8 +30,13 @@ pub fn plane_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Optio
         return None;
     }
     let plane = &flat.planes[hit.row as usize];
+    let position = (ray.origin + ray.direction * hit.t).to_f32();
+    let facing = face_viewer(Vec3::from(plane.normal), ray.direction).to_f32();
+    let reach = taxicab_length(position);
     Some(Surface {
-        position: (ray.origin + ray.direction * hit.t).to_f32(),
-        normal: face_viewer(Vec3::from(plane.normal), ray.direction).to_f32(),
+        position,
+        normal: facing,
+        facing,
+        reach: reach + taxicab_length(ray.origin.to_f32()),
     })
 }

@@ -5,12 +5,17 @@ use std::ops::Range;
 use super::camera::Ray;
 use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
+use super::near_spheres::is_near;
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::face_viewer;
+use super::vector::{Vec3, face_viewer, taxicab_length};
 use super::{sphere, sphere_bounded, sphere_meeting, sphere_textbook};
 use crate::flat::Flat;
 use crate::tier::Formulas;
+
+/// Near the surface of a large sphere, what of its radius counts as its reach: roundings are
+/// parts of the way to the point, and only the squares of roundings of the radius.
+pub const NEAR_REACH: f32 = 1.0 / 1_048_576.0;
 
 /// Tests the sphere in a row of the table.
 #[inline]
@@ -50,8 +55,17 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
             (normal, sphere::sphere_point(ray, sphere, normal, hit.t))
         }
     };
+    let facing = face_viewer(normal, ray.direction).to_f32();
+    let position = position.to_f32();
+    let radius = sphere.radius.to_f32();
+    let mut reach = taxicab_length(Vec3::from(sphere.center).to_f32()) + radius;
+    if is_near(sphere) {
+        reach = taxicab_length(position) + radius * NEAR_REACH;
+    }
     Some(Surface {
-        position: position.to_f32(),
-        normal: face_viewer(normal, ray.direction).to_f32(),
+        position,
+        normal: facing,
+        facing,
+        reach: reach + taxicab_length(ray.origin.to_f32()),
     })
 }

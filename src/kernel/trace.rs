@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::background::background_color;
 use super::camera::{Ray, camera_ray};
 use super::disks::{disk_surface, test_disks};
-use super::hit::{Hit, no_hit};
+use super::hit::{Hit, Surface, no_hit};
 use super::lambert::scattered_light;
 use super::planes::{closest_plane, plane_surface};
 use super::probe::{Probe, probe_of};
@@ -50,13 +50,18 @@ pub fn test_rows<R: Real>(
     test_triangles(flat, probe, rows, hit);
 }
 
-/// What the ray sees at its hit, a primitive of the scene.
-pub fn shade_hit<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
-    let surface = sphere_surface(flat, ray, hit)
+/// The surface at the ray's hit, a primitive of the scene.
+pub fn surface_of<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Surface {
+    sphere_surface(flat, ray, hit)
         .or_else(|| plane_surface(flat, ray, hit))
         .or_else(|| disk_surface(flat, ray, hit))
         .or_else(|| triangle_surface(flat, ray, hit))
-        .unwrap_or_default();
+        .unwrap_or_default()
+}
+
+/// What the ray sees at its hit.
+pub fn shade_hit<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Pixel {
+    let surface = surface_of(flat, ray, hit);
     let material = flat.materials[flat.material_indices[hit.id as usize] as usize];
     Pixel {
         color: scattered_light(flat, &surface, Vec3::from(material.albedo)).into(),

@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
+use super::aabb::greatest;
 use super::camera::Ray;
 use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Meeting, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
+use super::vector::{Vec3, face_viewer, taxicab_length};
 use super::{triangle, triangle_bounded, triangle_meeting, triangle_textbook};
 use crate::flat::Flat;
 use crate::layout::{Corners, Triangle};
@@ -78,6 +80,11 @@ pub fn triangle_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Op
             triangle::triangle_normal(&triangle),
         ),
     };
+    let direction = ray.direction.to_f32();
+    let a = taxicab_length(Vec3::from(triangle.a).to_f32());
+    let b = taxicab_length(Vec3::from(triangle.b).to_f32());
+    let c = taxicab_length(Vec3::from(triangle.c).to_f32());
+    let reach = greatest(greatest(a, b), c);
     Some(Surface {
         position: triangle::triangle_point(&triangle, weights).to_f32(),
         normal: shading_normal(
@@ -85,7 +92,9 @@ pub fn triangle_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Op
             corners,
             weights.to_f32(),
             normal.to_f32(),
-            ray.direction.to_f32(),
+            direction,
         ),
+        facing: face_viewer(normal.to_f32(), direction),
+        reach: reach + taxicab_length(ray.origin.to_f32()),
     })
 }

@@ -1,0 +1,27 @@
+//! A mirror.
+
+use super::vector::{Vec3, dot_product};
+
+/// `direction` thrown back by a surface with this unit normal, of either side: as long as it
+/// was.
+pub fn mirrored(direction: Vec3<f32>, normal: Vec3<f32>) -> Vec3<f32> {
+    direction - normal * (2.0 * dot_product(direction, normal))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::vector::vec3;
+
+    #[test]
+    fn a_mirror_turns_the_part_along_its_normal() {
+        let direction = vec3(3.0, -5.0, 0.25);
+        let up = vec3(0.0, 1.0, 0.0);
+        assert_eq!(mirrored(direction, up), vec3(3.0, 5.0, 0.25));
+        assert_eq!(mirrored(direction, -up), vec3(3.0, 5.0, 0.25));
+        // 0.6 and 0.8 are off by half a rounding each.
+        let turned = mirrored(vec3(1.0, 0.0, 0.0), vec3(0.6, 0.8, 0.0));
+        let off = turned - vec3(0.28, -0.96, 0.0);
+        assert!(off.x.abs() < 1e-6 && off.y.abs() < 1e-6 && off.z == 0.0);
+    }
+}
