@@ -4,6 +4,7 @@
 mod common;
 
 mod broken;
+mod broken_straight;
 mod controls;
 
 use rayproof::stability::{Station, catalogue, try_case};
