@@ -16,6 +16,9 @@ pub struct Nearness {
     pub slack: f64,
     /// |o| + t |d| + |c| + r: what an error of one part in so many is measured by.
     pub scale: f64,
+    /// How much the shape has to move for its hit to move by 1 along the ray: the sine of the
+    /// angle at which a flat shape is seen, else 1.
+    pub slope: f64,
 }
 
 impl Nearness {
@@ -29,13 +32,14 @@ impl Nearness {
             t,
             slack: inside.min(ahead) / scale,
             scale,
+            slope: 1.0,
         }
     }
 
     /// The part of the scale by which a ray whose nearest hit is at `nearest` is from
     /// hitting this shape instead.
     pub fn to_become_nearest(&self, nearest: f64, length: f64) -> f64 {
-        let behind = (self.t - nearest) * length / self.scale;
+        let behind = (self.t - nearest) * length * self.slope / self.scale;
         if self.slack < 0.0 {
             behind.max(-self.slack)
         } else {
@@ -93,6 +97,7 @@ fn plane_nearness(ray: Ray<f64>, plane: &Plane<f64>) -> Nearness {
             slope / (length * normal_length),
         ),
         scale: size + t * length,
+        slope: 1.0,
     }
 }
 
@@ -113,7 +118,9 @@ fn disk_nearness(ray: Ray<f64>, disk: &Disk<f64>) -> Nearness {
     Nearness::of_finite(ray, size, front, inside, t * length)
 }
 
-/// The distances of the ray from the edges' lines, all of one sign inside.
+/// By how much the ray or a corner would have to move for the ray to be on an edge's line,
+/// all of one sign inside. It is the ray's distance from the line or, where a corner is
+/// farther away than the edge is long, less: the line turns about the other corner.
 fn triangle_nearness(ray: Ray<f64>, corners: [Vec3<f64>; 3]) -> Nearness {
     let d = ray.direction;
     let length = vector_length(d);
@@ -122,10 +129,11 @@ fn triangle_nearness(ray: Ray<f64>, corners: [Vec3<f64>; 3]) -> Nearness {
     let distance = |from: usize, to: usize| {
         let across = dot_product(cross_product(seen[from], seen[to]), d);
         let edge = vector_length(seen[to] - seen[from]);
+        let lever = vector_length(seen[from]).max(vector_length(seen[to]));
         if edge == 0.0 {
             return 0.0;
         }
-        across / (edge * (length * length))
+        across / (edge.max(lever) * (length * length))
     };
     let sides = [distance(2, 1), distance(0, 2), distance(1, 0)];
     let least = sides.into_iter().fold(f64::INFINITY, f64::min);
@@ -136,7 +144,12 @@ fn triangle_nearness(ray: Ray<f64>, corners: [Vec3<f64>; 3]) -> Nearness {
     let along = from_origin.map(|corner| dot_product(corner, d) / length);
     let near = along.into_iter().fold(f64::INFINITY, f64::min);
     let far = along.into_iter().fold(f64::NEG_INFINITY, f64::max);
-    let front = (t.abs() * length).max(near).min(far) / length;
+    // Where the ray is almost in the plane, a t beyond the corners tells nothing.
+    let front = (t * length).max(near).min(far);
     let size = corners.map(vector_length).into_iter().fold(0.0, f64::max);
-    Nearness::of_finite(ray, size, front, inside, t * length)
+    let slope = dot_product(normal, d).abs() / (vector_length(normal) * length);
+    Nearness {
+        slope: if slope.is_nan() { 0.0 } else { slope },
+        ..Nearness::of_finite(ray, size, front / length, inside, front)
+    }
 }

@@ -13,8 +13,15 @@ pub struct Family {
     pub name: &'static str,
     /// What they have in common, for people.
     pub about: &'static str,
-    /// The cases.
-    pub cases: &'static [Case],
+    /// The cases, by theme.
+    pub cases: &'static [&'static [Case]],
+}
+
+impl Family {
+    /// The cases, in the order in which they are read.
+    pub fn cases(&self) -> impl Iterator<Item = &'static Case> + use<> {
+        self.cases.iter().copied().flatten()
+    }
 }
 
 /// Sets a case up, given what it demands of each answer.

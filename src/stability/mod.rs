@@ -6,18 +6,23 @@
 //! [`Subject`], a tier at a backend, and gives a [`Tally`]. A case that falls short is a
 //! defect, and so is an expected failure that does not fail: the expectation is wrong then.
 //!
-//! Most trials are [`aimed`] rays; [`alike`] ones have two sets of rays with one answer.
+//! Most trials are [`aimed`] rays; [`alike`] ones have two sets of rays with one answer,
+//! [`pictures`] are taken with volumes and without, [`grown`] trees are looked through, and
+//! what a scene check says is asked by [`refused`]. [`together`] makes one of several.
 
 pub mod aim;
 pub mod aimed;
 pub mod alike;
 pub mod case;
 pub mod demand;
+pub mod grown;
+pub mod pictures;
 pub mod refused;
 pub mod residual;
 pub mod shapes;
 pub mod subject;
 pub mod tally;
+pub mod together;
 pub mod view;
 
 mod arithmetic;
@@ -51,7 +56,7 @@ pub const RAYS: usize = 100_000;
 
 /// The cases of the catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static Case> {
-    FAMILIES.iter().flat_map(|family| family.cases)
+    FAMILIES.iter().flat_map(Family::cases)
 }
 
 /// Tries a case so many times, each time with other rays, at the stations that have its tier.

@@ -17,7 +17,7 @@ use crate::render::Accuracy::{Robust, Textbook};
 pub const FAMILY: Family = Family {
     name: "sphere",
     about: "Spheres: far, near, large, small, touched.",
-    cases: &[
+    cases: &[&[
         Case {
             id: "sphere/far-1e3",
             name: "a unit sphere 1,000 away",
@@ -39,7 +39,7 @@ pub const FAMILY: Family = Family {
             is_random: true,
             trial: |n, demands| far(1e7, n, demands),
         },
-    ],
+    ]],
 };
 
 /// Along no axis.

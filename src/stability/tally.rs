@@ -23,7 +23,7 @@ impl Tally {
         for (error, bound) in errors {
             is_wrong |= error.is_nan() || error > bound;
             if part(error, bound) > part(self.worst, self.bound)
-                || self.bound == 0.0 && error == 0.0
+                || (self.worst, self.bound) == (0.0, 0.0)
             {
                 (self.worst, self.bound) = (error, bound);
             }
@@ -72,6 +72,9 @@ mod tests {
         tally.count([(f64::NAN, 4.0)]);
         tally.count([(1.0, 0.0)]);
         assert_eq!((tally.rays, tally.wrong), (5, 3));
+        // What is allowed no error stays the worst.
+        tally.count([(0.0, 0.0), (1.0, 4.0)]);
+        assert_eq!((tally.worst, tally.bound), (1.0, 0.0));
         let mut sum = Tally::default();
         sum.count([(1.0, 4.0)]);
         sum.add(expected);

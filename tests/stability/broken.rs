@@ -1,11 +1,13 @@
 //! Formulas that are broken on purpose, each in one way, so that a case is seen to fail.
 
 use rayproof::accuracy::Widths;
+use rayproof::accuracy::truth::exact_rays;
 use rayproof::error::Result;
 use rayproof::flat::Flat;
 use rayproof::found::Found;
 use rayproof::kernel::camera::Ray;
-use rayproof::stability::Subject;
+use rayproof::layout::Pixel;
+use rayproof::stability::{Station, Subject};
 use rayproof::{Accuracy, Backend};
 
 /// What finds a ray's closest hit wrongly.
@@ -22,6 +24,19 @@ impl Subject for Broken {
     fn trace_rays(&self, widths: &Widths, rays: &[Ray<f32>]) -> Result<Vec<Found>> {
         let find = |ray: &Ray<f32>| (self.0)(&widths.double, ray.converted());
         Ok(rays.iter().map(find).collect())
+    }
+
+    fn picture(&self, widths: &Widths) -> Result<Vec<Pixel>> {
+        let pixel = |ray| {
+            let found = (self.0)(&widths.double, ray);
+            Pixel {
+                id: found.id,
+                depth: found.t as f32,
+                ..Pixel::default()
+            }
+        };
+        let rays = exact_rays(&widths.double);
+        Ok(rays.into_iter().map(pixel).collect())
     }
 }
 
@@ -47,5 +62,10 @@ impl Subject for AsInTextbooks {
         Ok(widths
             .trace_rays(&Backend::Cpu(None), Accuracy::Textbook, rays)?
             .0)
+    }
+
+    fn picture(&self, widths: &Widths) -> Result<Vec<Pixel>> {
+        let (backend, tier) = (&Backend::Cpu(None), Accuracy::Textbook);
+        Station { backend, tier }.picture(widths)
     }
 }

@@ -86,7 +86,7 @@ fn document() -> Result<String, std::fmt::Error> {
             text,
             "| case | rays | {tiers} |\n|---|---|---|---|---|---|---|"
         )?;
-        for case in family.cases {
+        for case in family.cases() {
             let of_case: Vec<&Outcome> = outcomes()
                 .iter()
                 .filter(|one| one.is_on_cpu() && one.case.id == case.id)
@@ -96,7 +96,7 @@ fn document() -> Result<String, std::fmt::Error> {
             let rays = of_case[0].tally.rays;
             writeln!(text, "| `{}` | {rays} | {cells} |", case.id)?;
         }
-        for case in family.cases {
+        for case in family.cases() {
             describe(&mut text, case)?;
         }
     }

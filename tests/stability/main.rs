@@ -4,6 +4,7 @@
 mod common;
 
 mod broken;
+mod broken_straight;
 mod controls;
 mod document;
 
@@ -93,7 +94,7 @@ fn ids_are_those_of_their_families_and_differ() {
     let ids: BTreeSet<&str> = catalogue().map(|case| case.id).collect();
     assert_eq!(ids.len(), catalogue().count());
     for family in rayproof::stability::FAMILIES {
-        for case in family.cases {
+        for case in family.cases() {
             assert_eq!(case.id.split('/').next(), Some(family.name), "{}", case.id);
         }
     }

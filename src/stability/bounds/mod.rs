@@ -1,10 +1,14 @@
 //! Bounding volumes: rays in their faces and corners, odd trees.
 
+mod faces;
+mod trees;
+mod volumes;
+
 use super::case::Family;
 
 /// Bounding volumes: rays in their faces and corners, odd trees.
 pub const FAMILY: Family = Family {
     name: "bounds",
     about: "Bounding volumes: rays in their faces and corners, odd trees.",
-    cases: &[],
+    cases: &[faces::CASES, trees::CASES, volumes::CASES],
 };

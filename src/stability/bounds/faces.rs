@@ -1,0 +1,365 @@
+//! Rays in and along the faces, edges and corners of boxes.
+
+use glam::{DMat3, DVec3};
+
+use crate::accuracy::Widths;
+use crate::bounds::{Bounds, primitive_boxes};
+use crate::error::Result;
+use crate::flat::Flat;
+use crate::kernel::aabb::Aabb;
+use crate::kernel::camera::Ray;
+use crate::random::Numbers;
+use crate::scene::Geometry;
+use crate::scene::mesh::{Builtin, build};
+use crate::stability::aim::{a_vertex, ray, ray_to, step};
+use crate::stability::aimed::Aimed;
+use crate::stability::alike::Alike;
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{self, BruteForce, Classified, Exact, Same};
+use crate::stability::shapes::{disk, flat_of, mesh, scene_of, sphere, triangle};
+use crate::stability::together::Together;
+use crate::tier::Accuracy::Textbook;
+use crate::tier::Textbook as Unpadded;
+
+pub(super) const CASES: &[Case] = &[
+    Case {
+        id: "bounds/in-a-face",
+        name: "rays along an axis in the faces of boxes",
+        sets_up: "27 cubes side by side, and rays along the axes in their faces and edges.",
+        danger: "0 times infinity is NaN, and a NaN culls.",
+        demands: &[Exact, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: |n, demands| along_axes(1.0, n, demands),
+    },
+    Case {
+        id: "bounds/negative-zero",
+        name: "a component that is -0",
+        sets_up: "The same cubes and rays, with 0 in the direction and then with -0.",
+        danger: "1 / -0 is -infinity: near and far plane change places, and the box is empty.",
+        demands: &[Same(0.0), BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: negative_zero,
+    },
+    Case {
+        id: "bounds/short-direction",
+        name: "directions of 1e-20 along an axis",
+        sets_up: "The same cubes and rays, the direction 2^-66 long.",
+        danger: "What stands for 1 / 0 has to stay above 1 / 1e-20.",
+        demands: &[Exact, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: |n, demands| along_axes(2f64.powi(-66), n, demands),
+    },
+    Case {
+        id: "bounds/denormal-direction",
+        name: "a component of 1e-39",
+        sets_up: "The same cubes and rays, with 1e-39 in place of a 0.",
+        danger: "1 / 1e-39 overflows to infinity where the component is not 0.",
+        demands: &[Classified, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: denormal,
+    },
+    Case {
+        id: "bounds/flat",
+        name: "boxes without thickness",
+        sets_up: "Triangles across each axis, stacked, and rays through them and in them.",
+        danger: "A test that asks for enter < exit never enters a flat box.",
+        demands: &[Exact, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: flat_boxes,
+    },
+    Case {
+        id: "bounds/edges-and-corners",
+        name: "through the edges and corners of boxes",
+        sets_up: "100 shapes, and rays at edges and corners of their boxes and at vertices, to \
+                  some ulp.",
+        danger: "A box that fits tightly is missed by rays that its shape's test accepts.",
+        demands: &[Classified, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: |n, demands| at_boxes(Start::Anywhere, n, demands),
+    },
+    Case {
+        id: "bounds/far-start",
+        name: "the same from far away",
+        sets_up: "Rays that start 1e5 away from the shapes and the camera.",
+        danger: "The ray's own start is rounded to more than a box is padded.",
+        demands: &[Classified, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: |n, demands| at_boxes(Start::Far, n, demands),
+    },
+    Case {
+        id: "bounds/start-on-face",
+        name: "rays that start on a face or within",
+        sets_up: "The same shapes, and rays from points on and in their boxes.",
+        danger: "A box that is behind by a rounding is skipped with the shape in it.",
+        demands: &[Classified, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: |n, demands| at_boxes(Start::OnFace, n, demands),
+    },
+    Case {
+        id: "bounds/touching-spheres",
+        name: "where a sphere touches its box",
+        sets_up: "Rays along the faces of the boxes of spheres, through the point of contact, \
+                  to some ulp.",
+        danger: "Box and sphere are met in one point, which each rounds by itself.",
+        demands: &[Classified, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: touching,
+    },
+    Case {
+        id: "bounds/long-thin",
+        name: "nearly parallel to long thin boxes",
+        sets_up: "Slivers of 1000 x 1e-3 along the axes, and rays along them.",
+        danger: "The interval in the thin slab is as long as the box, and its ends are rounded.",
+        demands: &[Classified, BruteForce],
+        fails: &[],
+        is_random: true,
+        trial: long_thin,
+    },
+    Case {
+        id: "bounds/neighbours",
+        name: "the edges between boxes",
+        sets_up: "27 cubes side by side, and rays from anywhere at the edges they share.",
+        danger: "A ray in the gap between two boxes misses the shapes of both.",
+        demands: &[Classified, BruteForce],
+        fails: &[Textbook],
+        is_random: true,
+        trial: neighbours,
+    },
+];
+
+/// 27 unit cubes in a block, on whole numbers.
+fn cubes() -> Flat<f64> {
+    let place = |index: i32| {
+        DVec3::new(
+            (index % 3).into(),
+            (index / 3 % 3).into(),
+            (index / 9).into(),
+        )
+    };
+    let cube = |index| {
+        let middle = DVec3::new(-1.5, -0.5, -8.5) + place(index);
+        mesh(build(Builtin::Box, 12), DMat3::IDENTITY, middle)
+    };
+    flat_of(&scene_of((0..27).map(cube)))
+}
+
+/// From before or within the cubes along an axis, on multiples of a half.
+fn axis_ray(length: f64, n: &mut Numbers) -> Ray<f32> {
+    let place = [-2.5, -1.5, -9.5].map(|low| low + n.pick(11) as f64 / 2.0);
+    let axis = DVec3::AXES[n.pick(3)] * length;
+    ray(DVec3::from(place), if n.flip() { axis } else { -axis })
+}
+
+fn along_axes(length: f64, n: &mut Numbers, demands: &[Demand]) -> Result<Box<dyn Trial>> {
+    let rays = (0..4000).map(|_| axis_ray(length, n)).collect();
+    Ok(Box::new(Aimed::new(cubes(), Bounds::Tree, rays, demands)?))
+}
+
+/// The ray with another number for the zeros of its direction.
+fn without_zeros(ray: Ray<f32>, number: f32) -> Ray<f32> {
+    let d: [f32; 3] = ray.direction.into();
+    let direction = d.map(|d| if d == 0.0 { number } else { d }).into();
+    Ray { direction, ..ray }
+}
+
+fn negative_zero(n: &mut Numbers, _: &'static [Demand]) -> Result<Box<dyn Trial>> {
+    let rays: Vec<_> = (0..2000).map(|_| axis_ray(1.0, n)).collect();
+    let other: Vec<_> = rays.iter().map(|ray| without_zeros(*ray, -0.0)).collect();
+    let widths = || Widths::of(cubes(), Bounds::Tree);
+    Ok(Box::new(Together(vec![
+        Box::new(Aimed::new(
+            cubes(),
+            Bounds::Tree,
+            other.clone(),
+            &[BruteForce],
+        )?),
+        Box::new(Alike {
+            scale: vec![1.0; rays.len()],
+            left: (
+                widths(),
+                rays.iter().map(|ray| without_zeros(*ray, 0.0)).collect(),
+            ),
+            right: (widths(), other),
+            roundings: 0.0,
+        }),
+    ])))
+}
+
+fn denormal(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Trial>> {
+    let rays = (0..4000)
+        .map(|_| without_zeros(axis_ray(1.0, n), if n.flip() { 1e-39 } else { -1e-39 }))
+        .collect();
+    Ok(Box::new(Aimed::new(cubes(), Bounds::Tree, rays, demands)?))
+}
+
+fn flat_boxes(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Trial>> {
+    // Across z, then with the axes turned.
+    let across = |index: usize| {
+        let turn = |v: DVec3| match index % 3 {
+            0 => v,
+            1 => DVec3::new(v.z, v.x, v.y),
+            _ => DVec3::new(v.y, v.z, v.x),
+        };
+        let layer = (index / 3) as f64;
+        let corner = |x: f64, y: f64| turn(DVec3::new(x, y, -8.0 - layer));
+        triangle([corner(-8.0, -8.0), corner(8.0, -8.0), corner(8.0, 8.0)])
+    };
+    let flat = flat_of(&scene_of((0..24).map(across)));
+    let rays = (0..4000)
+        .map(|_| {
+            let from = DVec3::from([0; 3].map(|_| n.pick(33) as f64 / 2.0 - 8.0));
+            let axis = n.pick(3);
+            let aslant = [-0.5, 0.0, 0.5];
+            let mut direction = DVec3::from([0; 3].map(|_| aslant[n.pick(3)]));
+            direction[axis] = if n.flip() { 1.0 } else { -1.0 };
+            ray(from, direction)
+        })
+        .collect();
+    Ok(Box::new(Aimed::new(flat, Bounds::Tree, rays, demands)?))
+}
+
+/// A number to the nearest quarter: planes that bytes hold as they are.
+fn quarters(v: DVec3) -> DVec3 {
+    (v * 4.0).round() / 4.0
+}
+
+/// 100 shapes of three kinds, on quarters.
+fn shapes(n: &mut Numbers) -> Flat<f64> {
+    let shape = |index: usize| -> Geometry {
+        let place = quarters(n.direction() * n.between(2.0, 9.0));
+        let size = (1 + n.pick(4)) as f64 / 4.0;
+        match index % 3 {
+            0 => sphere(place, size),
+            1 => disk(place, n.direction(), size),
+            _ => triangle([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| {
+                let side = quarters(n.direction() * size);
+                place + axis + side
+            })),
+        }
+    };
+    flat_of(&scene_of((0..100).map(shape)))
+}
+
+/// The shapes' own boxes, padded and as the textbook has them.
+fn boxes_of(flat: &Flat<f64>) -> Vec<Aabb> {
+    let unpadded = primitive_boxes(&flat.converted::<Unpadded>());
+    let both = primitive_boxes(flat).into_iter().chain(unpadded);
+    both.map(|(aabb, _)| aabb).collect()
+}
+
+/// A point of a box: a corner if `faces` is 3, on an edge if 2, on a face if 1.
+fn point_of(aabb: &Aabb, faces: usize, n: &mut Numbers) -> DVec3 {
+    let (low, high): ([f32; 3], [f32; 3]) = (aabb.low.into(), aabb.high.into());
+    let first = n.pick(3);
+    DVec3::from([0, 1, 2].map(|axis| {
+        let (low, high) = (f64::from(low[axis]), f64::from(high[axis]));
+        if (axis + first) % 3 < faces {
+            if n.flip() { low } else { high }
+        } else {
+            n.between(low, high)
+        }
+    }))
+}
+
+/// Where rays at boxes start.
+enum Start {
+    Anywhere,
+    Far,
+    OnFace,
+}
+
+fn at_boxes(start: Start, n: &mut Numbers, demands: &[Demand]) -> Result<Box<dyn Trial>> {
+    let flat = shapes(n);
+    let boxes = boxes_of(&flat);
+    let rays = (0..4000)
+        .map(|_| {
+            let aabb = &boxes[n.pick(boxes.len())];
+            let faces = 2 + n.pick(2);
+            let target = if n.flip() {
+                a_vertex(&flat, n)
+            } else {
+                point_of(aabb, faces, n)
+            };
+            let target = target.map(|x| step(x, n.pick(5) as i32 - 2));
+            match start {
+                Start::Anywhere => ray_to(n.vector(10.0), target),
+                Start::Far => ray_to(n.direction() * 1e5, target),
+                Start::OnFace => {
+                    let faces = n.pick(4);
+                    let from = point_of(aabb, faces, n);
+                    let direction = match n.pick(4) {
+                        0 => DVec3::AXES[n.pick(3)],
+                        1 => -DVec3::AXES[n.pick(3)],
+                        _ => n.direction(),
+                    };
+                    ray(from, direction)
+                }
+            }
+        })
+        .collect();
+    Ok(Box::new(Aimed::new(flat, Bounds::Tree, rays, demands)?))
+}
+
+fn touching(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Trial>> {
+    let ball = |_| {
+        let place = quarters(n.direction() * n.between(2.0, 9.0));
+        sphere(place, (1 + n.pick(4)) as f64 / 4.0)
+    };
+    let flat = flat_of(&scene_of((0..100).map(ball)));
+    let rays = (0..4000)
+        .map(|_| {
+            let sphere = flat.spheres[n.pick(flat.spheres.len())];
+            let first = n.pick(3);
+            let outward = DVec3::AXES[first] * if n.flip() { 1.0 } else { -1.0 };
+            let along = DVec3::AXES[(first + 1 + n.pick(2)) % 3];
+            let mut contact = DVec3::from(sphere.center) + outward * sphere.radius;
+            contact[first] = step(contact[first], n.pick(9) as i32 - 4);
+            ray(contact - along * n.between(0.5, 20.0), along)
+        })
+        .collect();
+    Ok(Box::new(Aimed::new(flat, Bounds::Tree, rays, demands)?))
+}
+
+fn long_thin(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Trial>> {
+    let sliver = |_| {
+        let axis = n.pick(3);
+        let along = DVec3::AXES[axis] * 500.0;
+        let across = DVec3::AXES[(axis + 1) % 3] * 1e-3 + DVec3::AXES[(axis + 2) % 3] * 1e-3;
+        let middle = n.vector(2.0);
+        triangle([middle - along, middle + along, middle + along + across])
+    };
+    let flat = flat_of(&scene_of((0..100).map(sliver)));
+    let rays = (0..4000)
+        .map(|_| {
+            let vertices = flat.triangles[n.pick(100)].vertices;
+            let [a, b, c] = vertices.map(|vertex| DVec3::from(flat.vertices[vertex as usize]));
+            let target = a.lerp(b.lerp(c, n.between(0.0, 1.0)), n.between(0.0, 1.0));
+            let along = (b - a) * n.between(0.1, 1.0);
+            let aside = n.vector(1.0) * 10f64.powf(n.between(-4.0, 0.0));
+            ray_to(target - along + aside, target)
+        })
+        .collect();
+    Ok(Box::new(Aimed::new(flat, Bounds::Tree, rays, demands)?))
+}
+
+fn neighbours(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Trial>> {
+    let rays = (0..4000)
+        .map(|_| {
+            let mut target = DVec3::from([-2.0, -1.0, -9.0].map(|low| low + n.pick(4) as f64));
+            if n.flip() {
+                target[n.pick(3)] += n.between(-0.5, 0.5);
+            }
+            ray_to(DVec3::new(0.1, 0.2, -7.0) + n.vector(6.0), target)
+        })
+        .collect();
+    Ok(Box::new(Aimed::new(cubes(), Bounds::Tree, rays, demands)?))
+}
