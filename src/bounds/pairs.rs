@@ -106,3 +106,22 @@ fn quantise(left: [f64; 2], right: [f64; 2]) -> [u32; 2] {
         exponent += 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_without_extent_grow_by_no_more_than_a_step_of_the_origin() {
+        for plane in [0.0, 5.0, -5.0, 1e-40, 1e30] {
+            let [origin, offsets] = quantise([plane; 2], [plane; 2]);
+            let step = f64::powi(2.0, (origin >> 24) as i32 - BIAS);
+            let start = f64::from((origin << 8) as i32 >> 8);
+            let [low, high] =
+                [offsets & 255, offsets >> 8 & 255].map(|o| (start + f64::from(o)) * step);
+            assert!(low <= plane && plane <= high, "{plane}");
+            let least = f64::powi(2.0, 1 - BIAS);
+            assert!(step <= least.max(2.0 * plane.abs() / FARTHEST), "{plane}");
+        }
+    }
+}

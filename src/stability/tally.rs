@@ -72,12 +72,13 @@ mod tests {
         tally.count([(f64::NAN, 4.0)]);
         tally.count([(1.0, 0.0)]);
         assert_eq!((tally.rays, tally.wrong), (5, 3));
-        // What is allowed no error stays the worst.
-        tally.count([(0.0, 0.0), (1.0, 4.0)]);
-        assert_eq!((tally.worst, tally.bound), (1.0, 0.0));
         let mut sum = Tally::default();
         sum.count([(1.0, 4.0)]);
         sum.add(expected);
         assert_eq!((sum.rays, sum.wrong, sum.worst), (4, 1, 5.0));
+        // What may have no error stays the worst.
+        sum.count([(1.0, 0.0)]);
+        sum.count([(0.0, 0.0), (1.0, 4.0)]);
+        assert_eq!((sum.wrong, sum.worst, sum.bound), (2, 1.0, 0.0));
     }
 }

@@ -4,6 +4,7 @@
 mod common;
 
 mod broken;
+mod broken_boxes;
 mod broken_straight;
 mod controls;
 mod document;

@@ -56,6 +56,15 @@ fn margins_of_known_cases() {
             small / (1.0 + small * small).sqrt(),
         );
     }
+    // Passed by edge-on, its plane 34 behind.
+    let [near, far] = [-small, -1.1 * small];
+    let corners = [[-1.0, near, 6.0], [1.0, near, 6.0], [0.0, far, 10.0]];
+    let size = (100.0 + far * far).sqrt();
+    assert_margin(
+        &Shapes::none().triangle(corners),
+        ahead,
+        small / (6.0 + size),
+    );
     // What is behind comes near; what is behind far enough does not matter, nor what is
     // nearly hit there.
     let wall = |z| {

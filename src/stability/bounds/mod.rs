@@ -1,5 +1,6 @@
 //! Bounding volumes: rays in their faces and corners, odd trees.
 
+mod corners;
 mod faces;
 mod trees;
 mod volumes;
@@ -10,5 +11,5 @@ use super::case::Family;
 pub const FAMILY: Family = Family {
     name: "bounds",
     about: "Bounding volumes: rays in their faces and corners, odd trees.",
-    cases: &[faces::CASES, trees::CASES, volumes::CASES],
+    cases: &[faces::CASES, corners::CASES, trees::CASES, volumes::CASES],
 };
