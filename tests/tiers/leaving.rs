@@ -176,10 +176,8 @@ fn left_planet<R: Real>() {
         let from = if index % 2 == 0 {
             DVec3::ZERO
         } else {
-            {
-                let reach = 10f64.powf(n.between(0.0, 3.0));
-                n.vector(reach) + DVec3::Y * 1e3
-            }
+            let reach = 10f64.powf(n.between(0.0, 3.0));
+            n.vector(reach) + DVec3::Y * reach
         };
         // Down, and towards the horizon.
         let mut along = n.vector(1.0);
