@@ -23,7 +23,7 @@ use crate::error::Result;
 /// inputs: TwoSum in 86 %, contraction in 17 %, a dividend times a reciprocal in
 /// 27 %. A division that lacks nothing but its last rounding went wrong in none of
 /// a million, yet in 8 % of those next to a midpoint.
-const INPUTS: u32 = 8192;
+pub(crate) const INPUTS: u32 = 8192;
 
 /// Loop iterations tried: four times what lavapipe allows an invocation.
 const LOOPS: u32 = 1 << 18;
@@ -62,8 +62,12 @@ impl Arithmetic {
     /// Every operation of the kernel has Rust's bits, so pictures should too: where
     /// `denormals` is false, as long as no value falls below the least normal one.
     pub fn is_exact(&self) -> bool {
-        let rounds = (self.division_ulp == 0 && self.sqrt_ulp == 0) || self.corrected;
-        self.two_sum && self.two_prod && !self.contraction && rounds
+        self.two_sum && self.two_prod && !self.contraction && self.is_rounded()
+    }
+
+    /// Quotients and roots are rounded correctly.
+    pub fn is_rounded(&self) -> bool {
+        (self.division_ulp == 0 && self.sqrt_ulp == 0) || self.corrected
     }
 
     /// The shader file that divides correctly on this device.

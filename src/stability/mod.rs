@@ -16,6 +16,8 @@ pub mod alike;
 pub mod case;
 pub mod demand;
 pub mod grown;
+pub mod journeys;
+pub mod lit;
 pub mod pictures;
 pub mod refused;
 pub mod residual;

@@ -5,9 +5,11 @@ use crate::accuracy::Widths;
 use crate::bounds::tree::{Tree, build};
 use crate::error::Result;
 use crate::found::Found;
+use crate::gpu::selfcheck::Arithmetic;
 use crate::kernel::aabb::Aabb;
 use crate::kernel::camera::Ray;
 use crate::layout::Pixel;
+use crate::paths::{Aim, Paths};
 use crate::render::{Accuracy, Backend};
 use crate::scene::Scene;
 use crate::watch::Unwatched;
@@ -41,6 +43,22 @@ pub trait Subject {
     /// Those of [`Widths::tracer`].
     fn picture(&self, widths: &Widths) -> Result<Vec<Pixel>>;
 
+    /// What the legs of each ray's path find.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Widths::follow_paths`].
+    fn follow_paths(
+        &self,
+        widths: &Widths,
+        rays: &[Ray<f32>],
+        aims: &[Aim],
+        legs: u32,
+    ) -> Result<Paths>;
+
+    /// What its arithmetic does.
+    fn arithmetic(&self) -> Arithmetic;
+
     /// A tree over boxes of spheres and triangles, as [`kind_of`] has it.
     fn grow(&self, items: Vec<(Aabb, u32)>) -> Tree {
         build(items, &kind_of)
@@ -71,5 +89,27 @@ impl Subject for Station<'_> {
         let mut tracer = widths.tracer(self.backend, self.tier, false)?;
         tracer.run(&Unwatched, &mut |_, rows| picture.extend_from_slice(rows))?;
         Ok(picture)
+    }
+
+    fn follow_paths(
+        &self,
+        widths: &Widths,
+        rays: &[Ray<f32>],
+        aims: &[Aim],
+        legs: u32,
+    ) -> Result<Paths> {
+        widths.follow_paths(self.backend, self.tier, rays, aims, legs)
+    }
+
+    fn arithmetic(&self) -> Arithmetic {
+        match self.backend {
+            // Rust's is that of IEEE 754.
+            Backend::Cpu(_) => Arithmetic {
+                two_sum: true,
+                two_prod: true,
+                ..Arithmetic::default()
+            },
+            Backend::Gpu(gpu) => gpu.arithmetic.clone(),
+        }
     }
 }

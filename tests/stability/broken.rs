@@ -5,8 +5,10 @@ use rayproof::accuracy::truth::exact_rays;
 use rayproof::error::Result;
 use rayproof::flat::Flat;
 use rayproof::found::Found;
+use rayproof::gpu::selfcheck::Arithmetic;
 use rayproof::kernel::camera::Ray;
 use rayproof::layout::Pixel;
+use rayproof::paths::{Aim, Paths};
 use rayproof::stability::{Station, Subject};
 use rayproof::{Accuracy, Backend};
 
@@ -38,6 +40,20 @@ impl Subject for Broken {
         let rays = exact_rays(&widths.double);
         Ok(rays.into_iter().map(pixel).collect())
     }
+
+    fn follow_paths(
+        &self,
+        widths: &Widths,
+        rays: &[Ray<f32>],
+        aims: &[Aim],
+        legs: u32,
+    ) -> Result<Paths> {
+        AS_IT_IS.follow_paths(widths, rays, aims, legs)
+    }
+
+    fn arithmetic(&self) -> Arithmetic {
+        AS_IT_IS.arithmetic()
+    }
 }
 
 /// What the program finds in f64, on which a broken formula may be built.
@@ -50,22 +66,17 @@ pub fn rightly(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
     Found::at(hit).unwrap()
 }
 
+/// The CPU, which never changes.
+static CPU: Backend = Backend::Cpu(None);
+
 /// The program itself in the textbook tier, on the CPU.
-pub struct AsInTextbooks;
+pub const AS_IN_TEXTBOOKS: Station<'static> = Station {
+    backend: &CPU,
+    tier: Accuracy::Textbook,
+};
 
-impl Subject for AsInTextbooks {
-    fn tier(&self) -> Accuracy {
-        Accuracy::Textbook
-    }
-
-    fn trace_rays(&self, widths: &Widths, rays: &[Ray<f32>]) -> Result<Vec<Found>> {
-        Ok(widths
-            .trace_rays(&Backend::Cpu(None), Accuracy::Textbook, rays)?
-            .0)
-    }
-
-    fn picture(&self, widths: &Widths) -> Result<Vec<Pixel>> {
-        let (backend, tier) = (&Backend::Cpu(None), Accuracy::Textbook);
-        Station { backend, tier }.picture(widths)
-    }
-}
+/// The program itself in the robust tier, on the CPU: what is broken elsewhere does this right.
+pub const AS_IT_IS: Station<'static> = Station {
+    backend: &CPU,
+    tier: Accuracy::Robust,
+};

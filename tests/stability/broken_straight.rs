@@ -8,16 +8,18 @@ use rayproof::bounds::tree::{Node, Tree};
 use rayproof::error::Result;
 use rayproof::flat::Flat;
 use rayproof::found::Found;
+use rayproof::gpu::selfcheck::Arithmetic;
 use rayproof::kernel::aabb::Aabb;
 use rayproof::kernel::camera::Ray;
 use rayproof::kernel::hit::no_hit;
 use rayproof::kernel::probe::probe_of;
 use rayproof::kernel::trace::test_rows;
 use rayproof::layout::{NO_HIT, Pixel};
+use rayproof::paths::{Aim, Paths};
 use rayproof::stability::Subject;
 use rayproof::{Accuracy, Scene};
 
-use super::broken::{Broken, Formula, rightly};
+use super::broken::{AS_IT_IS, Broken, Formula, rightly};
 use super::broken_boxes::{
     cancelling, culled, nan_culls, near_by_sign, never_enters_flat, not_from_within,
 };
@@ -216,6 +218,20 @@ macro_rules! finds_nothing {
 
             fn picture(&self, _: &Widths) -> Result<Vec<Pixel>> {
                 Ok(Vec::new())
+            }
+
+            fn follow_paths(
+                &self,
+                widths: &Widths,
+                rays: &[Ray<f32>],
+                aims: &[Aim],
+                legs: u32,
+            ) -> Result<Paths> {
+                AS_IT_IS.follow_paths(widths, rays, aims, legs)
+            }
+
+            fn arithmetic(&self) -> Arithmetic {
+                AS_IT_IS.arithmetic()
             }
 
             $($method)*

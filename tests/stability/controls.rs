@@ -5,8 +5,8 @@ use rayproof::layout::NO_HIT;
 use rayproof::random::Numbers;
 use rayproof::stability::{Subject, catalogue};
 
-use super::broken::{AsInTextbooks, Broken, rightly};
-use super::broken_straight;
+use super::broken::{AS_IN_TEXTBOOKS, Broken, rightly};
+use super::{broken_shading, broken_straight};
 
 /// For each case that the textbook passes, a formula that fails it.
 fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
@@ -16,7 +16,7 @@ fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
             id: NO_HIT,
             ..rightly(flat, ray)
         })),
-        _ => return broken_straight::broken_for(id),
+        _ => return broken_straight::broken_for(id).or_else(|| broken_shading::broken_for(id)),
     })
 }
 
@@ -25,7 +25,7 @@ fn every_case_can_fail() {
     let mut passed = Vec::new();
     for case in catalogue() {
         let broken: Box<dyn Subject> = if case.is_expected_to_fail(Accuracy::Textbook) {
-            Box::new(AsInTextbooks)
+            Box::new(AS_IN_TEXTBOOKS)
         } else {
             broken_for(case.id).unwrap_or_else(|| panic!("{}: nothing fails it", case.id))
         };

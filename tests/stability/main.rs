@@ -5,6 +5,7 @@ mod common;
 
 mod broken;
 mod broken_boxes;
+mod broken_shading;
 mod broken_straight;
 mod controls;
 mod document;
