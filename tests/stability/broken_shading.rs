@@ -13,14 +13,17 @@ use rayproof::stability::Subject;
 
 use super::broken::AS_IT_IS;
 
+/// How a lamp lights a point with a normal.
+type Lighting = fn(&LightRecord, Vec3<f32>, Vec3<f32>) -> f32;
+
+/// How a unit direction goes on through a surface with a normal, by a ratio of indices.
+type Refraction = fn(Vec3<f32>, Vec3<f32>, f32) -> Vec3<f32>;
+
 /// A subject that is right but for one thing.
 #[derive(Default)]
 struct But {
-    /// How a lamp lights a point with a normal.
-    light: Option<fn(&LightRecord, Vec3<f32>, Vec3<f32>) -> f32>,
-    /// How a direction goes on through a surface with a normal.
-    refraction: Option<fn(Vec3<f32>, Vec3<f32>, f32) -> Vec3<f32>>,
-    /// What the arithmetic does.
+    light: Option<Lighting>,
+    refraction: Option<Refraction>,
     arithmetic: Arithmetic,
 }
 

@@ -73,9 +73,9 @@ fn facing_mirrors(n: &mut Numbers) -> Result<Box<dyn Trial>> {
 /// counts twice, and so does the product with it, and there is a difference.
 const TURN: f64 = 8.0 / 16_777_216.0;
 
-/// A corner with edges of a thousandth: where a ray meets all three mirrors it returns.
+/// A corner a hundred-thousandth large: a ray that meets all three mirrors returns.
 fn corner(n: &mut Numbers) -> Result<Box<dyn Trial>> {
-    let size = 1e-3;
+    let size = 1e-5;
     let axes = [
         DVec3::new(0.36, 0.48, 0.8),
         DVec3::new(0.48, 0.64, -0.6),
