@@ -22,6 +22,8 @@ pub enum Demand {
     Classified,
     /// The same with the band of wider numbers in every tier.
     ClassifiedClearly,
+    /// The same where f32 has a band of so many u, less than [`Demand::Classified`] has.
+    ClassifiedWithin(f64),
     /// Hit or miss, and the shape, as the oracle says, whatever the margin: the numbers are such
     /// that nothing has to be rounded.
     Exact,
@@ -89,6 +91,10 @@ impl Demand {
             Self::Classified => (truth.margin, band_of(tier)),
             Self::ClassifiedClearly if is_right => (0.0, CLEAR),
             Self::ClassifiedClearly => (truth.margin, CLEAR),
+            Self::ClassifiedWithin(roundings) => {
+                let band = band_of(tier).min(roundings * unit_of(Accuracy::Robust));
+                (if is_right { 0.0 } else { truth.margin }, band.max(CLEAR))
+            }
             Self::Exact => must(is_right),
             Self::Residual(roundings) => match (&answer.shape, is_right && is_hit) {
                 (Some(shape), true) => {
@@ -119,6 +125,9 @@ impl Demand {
             Self::Classified => "hit or miss, and the shape, as the oracle says".into(),
             Self::ClassifiedClearly => {
                 "hit or miss, and the shape, as the oracle says, in f32 too".into()
+            }
+            Self::ClassifiedWithin(k) => {
+                format!("hit or miss, and the shape, as the oracle says beyond {k} u of B")
             }
             Self::Exact => "the oracle's answer, to the last bit of the decision".into(),
             Self::Residual(k) => format!("the point is within {k} u B of the shape"),

@@ -13,11 +13,16 @@ pub mod aimed;
 pub mod alike;
 pub mod case;
 pub mod demand;
+pub mod frame;
+pub mod leaving;
+pub mod monotone;
 pub mod refused;
 pub mod residual;
+pub mod seen;
 pub mod shapes;
 pub mod subject;
 pub mod tally;
+pub mod together;
 
 mod arithmetic;
 mod bounds;

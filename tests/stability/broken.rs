@@ -5,7 +5,8 @@ use rayproof::error::Result;
 use rayproof::flat::Flat;
 use rayproof::found::Found;
 use rayproof::kernel::camera::Ray;
-use rayproof::stability::Subject;
+use rayproof::layout::Pixel;
+use rayproof::stability::{Station, Subject};
 use rayproof::{Accuracy, Backend};
 
 /// What finds a ray's closest hit wrongly.
@@ -38,14 +39,23 @@ pub fn rightly(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
 /// The program itself in the textbook tier, on the CPU.
 pub struct AsInTextbooks;
 
+impl AsInTextbooks {
+    const STATION: Station<'static> = Station {
+        backend: &Backend::Cpu(None),
+        tier: Accuracy::Textbook,
+    };
+}
+
 impl Subject for AsInTextbooks {
     fn tier(&self) -> Accuracy {
-        Accuracy::Textbook
+        Self::STATION.tier
     }
 
     fn trace_rays(&self, widths: &Widths, rays: &[Ray<f32>]) -> Result<Vec<Found>> {
-        Ok(widths
-            .trace_rays(&Backend::Cpu(None), Accuracy::Textbook, rays)?
-            .0)
+        Self::STATION.trace_rays(widths, rays)
+    }
+
+    fn trace_picture(&self, widths: &Widths) -> Result<Vec<Pixel>> {
+        Self::STATION.trace_picture(widths)
     }
 }

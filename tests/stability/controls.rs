@@ -6,6 +6,7 @@ use rayproof::random::Numbers;
 use rayproof::stability::{Subject, catalogue};
 
 use super::broken::{AsInTextbooks, Broken, rightly};
+use super::broken_round;
 
 /// For each case that the textbook passes, a formula that fails it.
 fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
@@ -15,7 +16,7 @@ fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
             id: NO_HIT,
             ..rightly(flat, ray)
         })),
-        _ => return None,
+        _ => return broken_round::broken_for(id),
     })
 }
 

@@ -4,6 +4,7 @@
 mod common;
 
 mod broken;
+mod broken_round;
 mod controls;
 
 use rayproof::stability::{Station, catalogue, try_case};
