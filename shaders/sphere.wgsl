@@ -40,10 +40,14 @@ fn intersect_sphere(ray: Ray, sphere: Sphere) -> real {
 // The outward unit normal where the ray meets the sphere at `t`.
 //
 // Measured from the centre along l, not as origin + t * direction: the error
-// is then relative to the radius, not to the distance.
+// is then relative to the radius, not to the distance. Near the surface both are
+// alike, and at the horizon what is left of the radius for l is a rounding.
 fn sphere_normal(ray: Ray, sphere: Sphere, t: real) -> vec3<real> {
     let f = ray.origin - sphere.center;
     let d = ray.direction;
+    if is_near(sphere) {
+        return unit_vector(f + d * t);
+    }
     let a = dot_product(d, d);
     let middle = divide(-dot_product(f, d), a);
     let l = f + d * middle;

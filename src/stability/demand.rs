@@ -31,6 +31,8 @@ pub enum Demand {
     Residual(f64),
     /// t is off by at most so many u t.
     Distance(f64),
+    /// The point at t is off the exact one, which is on the ray too, by at most so many u B.
+    Along(f64),
     /// A ray into a closed surface meets it.
     NoLeak,
     /// A ray that leaves a surface does not meet it at once.
@@ -108,6 +110,15 @@ impl Demand {
                 (off / (unit_of(tier) * truth.t), roundings)
             }
             Self::Distance(roundings) => (0.0, roundings),
+            Self::Along(roundings) => match (&answer.shape, is_right && is_hit) {
+                (Some(shape), true) => {
+                    let length = glam::DVec3::from(<[f64; 3]>::from(answer.ray.direction)).length();
+                    let off = ((found.t - truth.t) - truth.t_rest).abs() * length;
+                    let scale = unit_of(tier) * reach(shape, answer.ray, truth.t);
+                    (off / scale, roundings)
+                }
+                _ => (0.0, roundings),
+            },
             Self::NoLeak => must(is_hit),
             Self::Finite => must(!is_hit || (found.t.is_finite() && found.t > 0.0)),
             Self::BruteForce => must(answer.by_force.is_none_or(|by_force| {
@@ -132,6 +143,7 @@ impl Demand {
             Self::Exact => "the oracle's answer, to the last bit of the decision".into(),
             Self::Residual(k) => format!("the point is within {k} u B of the shape"),
             Self::Distance(k) => format!("t is within {k} u of itself"),
+            Self::Along(k) => format!("the point is within {k} u B of the exact one"),
             Self::NoLeak => "no ray slips through".into(),
             Self::NoSelfHit => "no ray meets the surface that it leaves".into(),
             Self::Finite => "no NaN or infinity comes out".into(),

@@ -5,10 +5,11 @@ use rayproof::accuracy::Widths;
 use rayproof::error::Result;
 use rayproof::flat::Flat;
 use rayproof::found::Found;
-use rayproof::kernel::camera::Ray;
+use rayproof::kernel::camera::{Ray, camera_ray};
 use rayproof::kernel::real::Real;
-use rayproof::kernel::vector::{Vec3, dot_product};
-use rayproof::layout::{Disk, NO_HIT, Sphere};
+use rayproof::kernel::trace::trace_pixel;
+use rayproof::kernel::vector::{Vec3, dot_product, unit_vector};
+use rayproof::layout::{Disk, NO_HIT, Pixel, Sphere};
 use rayproof::scene::Scene;
 use rayproof::stability::Subject;
 
@@ -18,11 +19,10 @@ use super::broken::{Broken, Formula};
 pub fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
     let formula: Formula = match id {
         "sphere/away-from-camera" => expanded_square,
-        "sphere/tangent" | "sphere/kissing" => small_discriminant,
+        "sphere/tangent" | "sphere/kissing" | "sphere/gap-between-shells" => small_discriminant,
         "sphere/growing" => scaled_to_unit,
-        "sphere/shells" | "sphere/direction-powers" => fixed_least_t,
+        "sphere/shells" | "sphere/direction-powers" | "sphere/start-just-above" => fixed_least_t,
         "sphere/equal" | "flat/disk-in-plane" | "flat/equal-disks" => last_of_equals,
-        "sphere/gap-between-shells" => last_of_equals,
         "sphere/start-outward" | "sphere/start-inward" | "flat/start-on-plane" => zero_is_a_hit,
         "sphere/start-center" | "sphere/direction-1e10" => unit_length_taken,
         "sphere/direction-1e-18" => unit_length_taken,
@@ -37,10 +37,43 @@ pub fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
         "flat/rim" => rim_excluded,
         "flat/rim-ulp" | "flat/rim-aimed" => rim_with_tolerance,
         "flat/largest" => without_division,
+        "sphere/ground-seen" => return Some(Box::new(RootOfTheRest)),
         "sphere/center-1e20" | "sphere/radius-refused" => return Some(Box::new(NeverRefuses)),
         _ => return None,
     };
     Some(Box::new(Broken(formula)))
+}
+
+/// f32, and normals along root(r^2 - l.l) wherever the camera is.
+struct RootOfTheRest;
+
+impl Subject for RootOfTheRest {
+    fn tier(&self) -> Accuracy {
+        Accuracy::Robust
+    }
+
+    fn trace_rays(&self, _: &Widths, _: &[Ray<f32>]) -> Result<Vec<Found>> {
+        unreachable!("such a case has pictures only")
+    }
+
+    fn trace_picture(&self, widths: &Widths) -> Result<Vec<Pixel>> {
+        let flat = widths.double.converted::<f32>();
+        let [width, height] = flat.size;
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let pixels = pixels.map(|(x, y)| {
+            let ray = camera_ray(&flat.camera, flat.size, x, y);
+            let sphere = &flat.spheres[0];
+            let [a, b, _] = terms(ray, sphere);
+            let l = (ray.origin - Vec3::from(sphere.center)) + ray.direction * (b / a);
+            let rest = sphere.radius * sphere.radius - dot_product(l, l);
+            let normal = unit_vector(l - ray.direction * (rest / a).sqrt());
+            Pixel {
+                normal: normal.into(),
+                ..trace_pixel(&flat, x, y)
+            }
+        });
+        Ok(pixels.collect())
+    }
 }
 
 /// Renders whatever it is given.

@@ -96,7 +96,7 @@ pub(super) const SLOPE_OBLIQUE: Case = Case {
     trial: |n, demands| {
         let flat = rounded([plane(DVec3::new(-1.0, -3.0, 0.0), OBLIQUE)]);
         let normal = DVec3::from(flat.planes[0].normal);
-        let rays = (0..RAYS / 2)
+        let rays = (0..RAYS / 5)
             .map(|_| {
                 let fall = 10f64.powf(n.between(-8.0, -4.0));
                 let fall = if n.flip() { fall } else { -fall };

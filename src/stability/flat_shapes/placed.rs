@@ -7,9 +7,7 @@ use super::super::aim::{across, ray, ray_to};
 use super::super::aimed::Aimed;
 use super::super::alike::Alike;
 use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{
-    self, BruteForce, ClassifiedWithin, Distance, Exact, Residual, Same,
-};
+use super::super::demand::Demand::{BruteForce, ClassifiedWithin, Distance, Exact, Residual, Same};
 use super::super::shapes::{disk, plane};
 use super::{aimed, rounded};
 use crate::accuracy::Widths;
@@ -54,17 +52,19 @@ pub(super) const PLANE_1E6: Case = Case {
 pub(super) const DISK_1E6: Case = Case {
     id: "flat/disk-1e6",
     name: "a unit disk next to the rays, 1,000,000 from the camera",
-    sets_up: "Rays that start 2 to 8 away, aimed at the rim and nearly so, not more than 60 \
-              degrees from the normal.",
+    sets_up: "Rays that start 2 to 8 away, not more than 60 degrees from the normal, and pass \
+              the rim at up to 10^-6 to 10^-1.",
     danger: "(o + t d) - c rounds to parts of 10^6 before it subtracts; (o - c) + t d does not.",
     demands: &[ClassifiedWithin(1e-4), Residual(4.0)],
     trial: |n, demands| {
         let flat = rounded([disk(ASKEW * 1e6, ASKEW, 1.0)]);
         let center = DVec3::from(flat.disks[0].center);
         let normal = DVec3::from(flat.disks[0].normal);
-        let rays = (0..RAYS)
+        let rays = (0..RAYS / 5)
             .map(|_| {
-                let rim = across(normal, n) * (1.0 + n.between(-1e-5, 1e-5));
+                let past = 10f64.powf(n.between(-6.0, -1.0));
+                let past = if n.flip() { past } else { -past };
+                let rim = across(normal, n) * (1.0 + past);
                 let away = normal + across(normal, n) * n.between(0.0, 1.7);
                 let from = center + away * n.between(2.0, 4.0);
                 let from = from.as_vec3().as_dvec3();

@@ -60,12 +60,12 @@ pub(super) const DIRECTION_POWERS: Case = Case {
     ..DIRECTION_1E10
 };
 
-pub(super) const DIRECTION_1E18: Case = Case {
-    id: "sphere/direction-1e18",
-    name: "directions that are 10^18 long",
+pub(super) const DIRECTION_1E19: Case = Case {
+    id: "sphere/direction-1e19",
+    name: "directions that are about 10^19 long",
     danger: "b^2 is beyond f32, and infinity less infinity is no number.",
     fails: &[Textbook],
-    trial: |n, demands| long(n, demands, |_| 1e18),
+    trial: |n, demands| long(n, demands, |_| 6e18),
     ..DIRECTION_1E10
 };
 

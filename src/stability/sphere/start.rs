@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::super::RAYS;
 use super::super::aim::{across, ray};
 use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{self, Distance, Exact, Residual};
+use super::super::demand::Demand::{self, Along, Distance, Exact, Finite};
 use super::super::frame::frame;
 use super::super::together::Together;
 use super::{ASIDE, aimed, spheres};
@@ -27,13 +27,14 @@ pub(super) const OUTWARD: Case = Case {
     trial: |n, demands| from_surface(n, demands, 1.0),
 };
 
-// At least 6 degrees from the tangent plane: the discriminant is off by 16 u (2 r)^2 of r^2 / 100.
+// At least 6 degrees from the tangent plane, so that the root is above r / 10: an error of 16 u
+// r^2 of the discriminant is one of 80 u r of the root, and B is above 8 r.
 pub(super) const INWARD: Case = Case {
     id: "sphere/start-inward",
     name: "rays that start on a sphere and enter it",
     sets_up: "The same starts, into the sphere.",
     danger: "The near root, 0, is not a hit, and the far one is.",
-    demands: &[Exact, Residual(4.0)],
+    demands: &[Exact, Finite, Along(10.0)],
     trial: |n, demands| from_surface(n, demands, -1.0),
     ..OUTWARD
 };
