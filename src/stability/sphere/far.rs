@@ -102,7 +102,7 @@ pub(super) const AWAY_FROM_CAMERA: Case = Case {
 };
 
 /// Of a sphere so far away, half the time at its rim, give or take 40 roundings of f32.
-fn impact(distance: f64, radius: f64, n: &mut Numbers) -> f64 {
+pub(super) fn impact(distance: f64, radius: f64, n: &mut Numbers) -> f64 {
     if n.flip() {
         return n.between(0.0, 1.05) * radius;
     }

@@ -35,6 +35,7 @@ pub const FAMILY: Family = Family {
         near::GROUND_SEEN,
         near::GROUND_WALK,
         near::START_JUST_ABOVE,
+        near::SEEN_FROM_FAR,
         near::LEAVING,
         touched::TANGENT,
         touched::TANGENT_ULP,

@@ -5,10 +5,13 @@ use glam::DVec3;
 use super::super::RAYS;
 use super::super::aim::{across, passing, ray};
 use super::super::case::Case;
-use super::super::demand::Demand::{Along, ClassifiedWithin, Distance, Exact, NoSelfHit, Own};
+use super::super::demand::Demand::{
+    Along, Classified, ClassifiedWithin, Distance, Exact, NoSelfHit, Own, Residual,
+};
 use super::super::leaving::Leaving;
 use super::super::seen::Seen;
 use super::super::shapes::{flat_of, scene_of, sphere};
+use super::far::impact;
 use super::{ASIDE, aimed, spheres};
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
@@ -129,6 +132,30 @@ pub(super) const START_JUST_ABOVE: Case = Case {
                 let up = n.direction();
                 let aside = across(up, n) * n.between(0.0, 3f64.sqrt());
                 ray(center + up * (1.0 + 1e-5), aside - up)
+            })
+            .collect();
+        aimed(flat, rays, demands)
+    },
+    ..EYE_1_ABOVE
+};
+
+pub(super) const SEEN_FROM_FAR: Case = Case {
+    id: "sphere/seen-from-far",
+    name: "a unit sphere 0.01 below the camera, and rays from 10,000 away",
+    sets_up: "Rays from all around, half of them past the centre at 0 to 1.05 radii, half at the \
+              rim.",
+    danger: "The formulas for a camera near the ground are b^2 - a c again, which is right only \
+             for rays that start there.",
+    demands: &[Classified, Residual(4.0)],
+    trial: |n, demands| {
+        let flat = spheres([(ASIDE * 1.01, 1.0)]);
+        let center = center(&flat);
+        let rays = (0..RAYS / 5)
+            .map(|_| {
+                let from = center + n.direction() * 10f64.powf(n.between(0.5, 4.0));
+                let from = from.as_vec3().as_dvec3();
+                let distance = from.distance(center);
+                passing(from, center, impact(distance, 1.0, n), n)
             })
             .collect();
         aimed(flat, rays, demands)
