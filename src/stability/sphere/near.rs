@@ -85,7 +85,6 @@ pub(super) const GROUND_SEEN: Case = Case {
         scene.camera.fov_degrees = 0.03;
         Ok(Box::new(Seen::new(flat_of(&scene), 8.0)?))
     },
-    ..EYE_1_ABOVE
 };
 
 // As above with 2 u more of b, for f; and the power of the start has errors of 6 u |o| |c| from
