@@ -14,6 +14,10 @@ use rayproof::scene::Scene;
 use rayproof::stability::Subject;
 
 use super::broken::{Broken, Formula};
+use super::broken_flat::{
+    distance_form, only_beyond_is_rejected, parallel_unchecked, point_from_camera, rim_excluded,
+    rim_with_tolerance, without_division,
+};
 
 /// For each case of these families that the textbook passes, what fails it.
 pub fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
@@ -29,7 +33,8 @@ pub fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
         "sphere/start-abreast" => sign_of_zero,
         "sphere/behind" | "flat/behind" => behind_too,
         "sphere/origin-1e20" => overflow_unchecked,
-        "sphere/largest" => overflow_unchecked,
+        "sphere/smallest" => small_discriminant,
+        "sphere/largest" => fixed_infinity,
         "flat/in-plane" | "flat/beyond-f32" => parallel_unchecked,
         "flat/edge-on" => only_beyond_is_rejected,
         "flat/plane-1e6" => distance_form,
@@ -94,7 +99,7 @@ impl Subject for NeverRefuses {
 }
 
 /// A shape of the families.
-enum Part<'a> {
+pub(super) enum Part<'a> {
     Sphere(&'a Sphere<f64>),
     Plane(Vec3<f64>, Vec3<f64>),
     Disk(&'a Disk<f64>),
@@ -113,7 +118,7 @@ fn parts(flat: &Flat<f64>) -> impl Iterator<Item = Part<'_>> {
 }
 
 /// The nearest of all shapes; a miss is at infinity.
-fn closest(flat: &Flat<f64>, t_of: impl Fn(&Part<'_>) -> f64) -> Found {
+pub(super) fn closest(flat: &Flat<f64>, t_of: impl Fn(&Part<'_>) -> f64) -> Found {
     let mut found = Found::new(f64::INFINITY, NO_HIT);
     for (part, id) in parts(flat).zip(0..) {
         let t = t_of(&part);
@@ -139,12 +144,12 @@ fn roots<R: Real>([a, b, c]: [R; 3]) -> [R; 2] {
 }
 
 /// Where the ray crosses a plane, if it does.
-fn crossing<R: Real>(ray: Ray<R>, point: Vec3<R>, normal: Vec3<R>) -> R {
+pub(super) fn crossing<R: Real>(ray: Ray<R>, point: Vec3<R>, normal: Vec3<R>) -> R {
     dot_product(point - ray.origin, normal) / dot_product(ray.direction, normal)
 }
 
 /// t where the test accepts it, else a miss.
-fn only(accepted: bool, t: f64) -> f64 {
+pub(super) fn only(accepted: bool, t: f64) -> f64 {
     if accepted { t } else { f64::INFINITY }
 }
 
@@ -171,7 +176,7 @@ fn first_of(part: &Part<'_>, ray: Ray<f64>, accept: impl Fn(f64) -> bool) -> f64
     }
 }
 
-fn square_from_center(ray: Ray<f64>, disk: &Disk<f64>, t: f64) -> f64 {
+pub(super) fn square_from_center(ray: Ray<f64>, disk: &Disk<f64>, t: f64) -> f64 {
     let point = (ray.origin - Vec3::from(disk.center)) + ray.direction * t;
     dot_product(point, point)
 }
@@ -179,6 +184,11 @@ fn square_from_center(ray: Ray<f64>, disk: &Disk<f64>, t: f64) -> f64 {
 /// A smallest t, whatever the scale.
 fn fixed_least_t(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
     closest(flat, |part| first_of(part, ray, |t| t > 1e-3))
+}
+
+/// A largest t, whatever the scale.
+fn fixed_infinity(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
+    closest(flat, |part| first_of(part, ray, |t| t > 0.0 && t < 1e10))
 }
 
 /// t >= 0 in place of t > 0.
@@ -207,14 +217,6 @@ fn last_of_equals(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
 fn sphere_by(flat: &Flat<f64>, t_of: impl Fn(&Sphere<f64>) -> f64) -> Found {
     closest(flat, |part| match part {
         Part::Sphere(sphere) => t_of(sphere),
-        _ => f64::INFINITY,
-    })
-}
-
-/// The test of the disks only.
-fn disk_by(flat: &Flat<f64>, t_of: impl Fn(&Disk<f64>) -> f64) -> Found {
-    closest(flat, |part| match part {
-        Part::Disk(disk) => t_of(disk),
         _ => f64::INFINITY,
     })
 }
@@ -292,88 +294,4 @@ fn overflow_unchecked(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
     let is_miss = discriminant < 0.0 || b < 0.0;
     let id = if is_miss { NO_HIT } else { 0 };
     Found::new(f64::from((b - discriminant.sqrt()) / a), id)
-}
-
-/// f32, and what is not below 0 is a hit: NaN and infinity too.
-fn parallel_unchecked(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    let Some(plane) = flat.planes.first() else {
-        unreachable!("there is a plane");
-    };
-    let rounded = |v: [f64; 3]| Vec3::from(v.map(|x| x as f32));
-    let (point, normal) = (rounded(plane.point), rounded(plane.normal));
-    let t = crossing(ray.converted::<f32>(), point, normal);
-    let id = if t <= 0.0 { NO_HIT } else { 0 };
-    Found::new(f64::from(t), id)
-}
-
-/// A hit unless it is beyond the rim, which NaN is not.
-fn only_beyond_is_rejected(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    let disk = &flat.disks[0];
-    let t = crossing(ray, disk.center.into(), disk.normal.into());
-    let is_beyond = square_from_center(ray, disk, t) > disk.radius * disk.radius;
-    let id = if is_beyond || t <= 0.0 { NO_HIT } else { 0 };
-    Found::new(t, id)
-}
-
-/// f32, and the plane as n.x = h.
-fn distance_form(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    let plane = &flat.planes[0];
-    let rounded = |v: [f64; 3]| Vec3::from(v.map(|x| x as f32));
-    let (point, normal) = (rounded(plane.point), rounded(plane.normal));
-    let Ray { origin, direction } = ray.converted::<f32>();
-    let height = dot_product(point, normal) - dot_product(origin, normal);
-    let t = f64::from(height / dot_product(direction, normal));
-    Found::new(t, if t > 0.0 { 0 } else { NO_HIT })
-}
-
-/// f32, and (o + t d) - c.
-fn point_from_camera(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    disk_by(flat, |disk| {
-        let ray = ray.converted::<f32>();
-        let rounded = |v: [f64; 3]| Vec3::from(v.map(|x| x as f32));
-        let center = rounded(disk.center);
-        let t = crossing(ray, center, rounded(disk.normal));
-        let point = (ray.origin + ray.direction * t) - center;
-        let radius = disk.radius as f32;
-        only(
-            t > 0.0 && dot_product(point, point) <= radius * radius,
-            f64::from(t),
-        )
-    })
-}
-
-/// Less than r in place of at most r.
-fn rim_excluded(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    disk_by(flat, |disk| {
-        let t = crossing(ray, disk.center.into(), disk.normal.into());
-        let limit = disk.radius * disk.radius;
-        only(t > 0.0 && square_from_center(ray, disk, t) < limit, t)
-    })
-}
-
-/// A little more than r.
-fn rim_with_tolerance(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    disk_by(flat, |disk| {
-        let t = crossing(ray, disk.center.into(), disk.normal.into());
-        let limit = disk.radius * disk.radius + 1e-3;
-        only(t > 0.0 && square_from_center(ray, disk, t) <= limit, t)
-    })
-}
-
-/// f32, and the rim's test times (d.n)^2.
-fn without_division(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
-    disk_by(flat, |disk| {
-        let ray = ray.converted::<f32>();
-        let rounded = |v: [f64; 3]| Vec3::from(v.map(|x| x as f32));
-        let (center, normal) = (rounded(disk.center), rounded(disk.normal));
-        let f = ray.origin - center;
-        let slope = dot_product(ray.direction, normal);
-        let point = f * slope - ray.direction * dot_product(f, normal);
-        let rim = disk.radius as f32 * slope;
-        let t = crossing(ray, center, normal);
-        only(
-            t > 0.0 && dot_product(point, point) <= rim * rim,
-            f64::from(t),
-        )
-    })
 }

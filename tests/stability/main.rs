@@ -4,6 +4,7 @@
 mod common;
 
 mod broken;
+mod broken_flat;
 mod broken_round;
 mod controls;
 
