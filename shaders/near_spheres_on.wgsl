@@ -13,6 +13,12 @@ fn is_near(sphere: Sphere) -> bool {
     return sphere.power < real(FAR);
 }
 
+// Whether a ray whose origin has this power starts near such a sphere too. From afar its
+// discriminant is that of any sphere: made of powers, it would cancel.
+fn starts_near(sphere: Sphere, power: real) -> bool {
+    return is_near(sphere) && abs(power) < sphere.radius * sphere.radius;
+}
+
 // The power of a ray's origin.
 fn sphere_power(origin: vec3<real>, sphere: Sphere) -> real {
     if is_near(sphere) {

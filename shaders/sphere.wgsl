@@ -14,7 +14,7 @@ fn intersect_sphere(ray: Ray, sphere: Sphere) -> real {
     let c = sphere_power(ray.origin, sphere);
     let l = f + d * divide(b, a);
     var discriminant = sphere.radius * sphere.radius - dot_product(l, l);
-    if is_near(sphere) {
+    if starts_near(sphere, c) {
         discriminant = divide(b * b - a * c, a);
     }
     if discriminant < 0.0 {
@@ -40,12 +40,12 @@ fn intersect_sphere(ray: Ray, sphere: Sphere) -> real {
 // The outward unit normal where the ray meets the sphere at `t`.
 //
 // Measured from the centre along l, not as origin + t * direction: the error
-// is then relative to the radius, not to the distance. Near the surface of a large sphere
-// it is that anyway, and l says little.
+// is then relative to the radius, not to the distance. Near the surface both are
+// alike, and at the horizon what is left of the radius for l is a rounding.
 fn sphere_normal(ray: Ray, sphere: Sphere, t: real) -> vec3<real> {
     let f = ray.origin - sphere.center;
     let d = ray.direction;
-    if is_near(sphere) {
+    if starts_near(sphere, sphere_power(ray.origin, sphere)) {
         return unit_vector(f + d * t);
     }
     let a = dot_product(d, d);
@@ -58,7 +58,7 @@ fn sphere_normal(ray: Ray, sphere: Sphere, t: real) -> vec3<real> {
 
 // The point of the sphere that is met at `t`, under the outward unit normal.
 fn sphere_point(ray: Ray, sphere: Sphere, normal: vec3<real>, t: real) -> vec3<real> {
-    if is_near(sphere) {
+    if starts_near(sphere, sphere_power(ray.origin, sphere)) {
         return ray.origin + ray.direction * t;
     }
     return sphere.center + normal * sphere.radius;

@@ -33,8 +33,10 @@ fn bound_sphere(probe: Probe, sphere: Sphere) -> Meeting {
     var c_error = (square * SQUARE_ERROR + radius_square * RADIUS_ERROR)
         + (taxicab_length(origin) * distance) * ERROR;
     if is_near(sphere) {
-        b_error = (taxicab_length(d) * distance) * NEAR_ERROR;
         c_error = (abs(c) + taxicab_length(origin) * distance) * NEAR_ERROR;
+    }
+    if starts_near(sphere, c) {
+        b_error = (taxicab_length(d) * distance) * NEAR_ERROR;
         chord = b * b - a * c;
         slack = ((2.0 * abs(b) + b_error) * b_error + a * c_error)
             + (abs(a * c) + b * b) * ERROR;

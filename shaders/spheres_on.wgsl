@@ -42,7 +42,7 @@ fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     (*surface).facing = (*surface).normal;
     let radius = f32(sphere.radius);
     var reach = taxicab_length_f32(vec3<f32>(sphere.center)) + radius;
-    if is_near(sphere) {
+    if starts_near(sphere, sphere_power(ray.origin, sphere)) {
         reach = taxicab_length_f32(position) + radius * NEAR_REACH;
     }
     (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));

@@ -10,6 +10,7 @@ use rayproof::bounds::overfull_groups;
 use rayproof::effects::effects_of;
 use rayproof::error::Result;
 use rayproof::flatten::flatten;
+use rayproof::scene::parse::Note;
 
 /// What is in a scene.
 #[derive(Serialize)]
@@ -26,6 +27,7 @@ struct Contents {
     effects: Vec<&'static str>,
     device_bytes: u64,
     warnings: Vec<String>,
+    notes: Vec<Note>,
     /// None, so that scripts may look here whatever the outcome.
     faults: [(); 0],
 }
@@ -59,6 +61,7 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
         effects: effects_of(&flat.counts()),
         device_bytes: flat.bytes(),
         warnings,
+        notes: loaded.notes,
         faults: [],
     };
     if common.json {
@@ -75,7 +78,7 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
 }
 
 fn summary(contents: &Contents) -> String {
-    table(&[
+    let mut rows = vec![
         ("scene", format!("{}: no faults", contents.scene)),
         (
             "picture",
@@ -97,5 +100,9 @@ fn summary(contents: &Contents) -> String {
                 contents.device_bytes as f64 / 1_048_576.0
             ),
         ),
-    ])
+    ];
+    for Note { line, message } in &contents.notes {
+        rows.push(("note", format!("{}:{line}: {message}", contents.scene)));
+    }
+    table(&rows)
 }

@@ -246,7 +246,9 @@ impl PolicyFlags {
     ///
     /// All the faults of the scene.
     pub(super) fn load_scene(&self, path: &Path, size: Option<(u32, u32)>) -> Result<Scene> {
-        let Loaded { scene, warnings } = self.load(path)?;
+        let Loaded {
+            scene, warnings, ..
+        } = self.load(path)?;
         for warning in warnings {
             tracing::warn!("{warning}");
         }

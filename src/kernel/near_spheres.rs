@@ -17,6 +17,12 @@ pub fn is_near<R: Real>(sphere: &Sphere<R>) -> bool {
     sphere.power < constant(FAR)
 }
 
+/// Whether a ray whose origin has this power starts near such a sphere too. From afar its
+/// discriminant is that of any sphere: made of powers, it would cancel.
+pub fn starts_near<R: Real>(sphere: &Sphere<R>, power: R) -> bool {
+    is_near(sphere) && power.abs() < sphere.radius * sphere.radius
+}
+
 /// The power of a ray's origin.
 pub fn sphere_power<R: Real>(origin: Vec3<R>, sphere: &Sphere<R>) -> R {
     let center = Vec3::from(sphere.center);

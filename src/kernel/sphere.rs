@@ -3,7 +3,7 @@
 
 use super::camera::Ray;
 use super::divide::{divide, square_root};
-use super::near_spheres::{is_near, sphere_power};
+use super::near_spheres::{sphere_power, starts_near};
 use super::real::{Real, copy_sign};
 use super::vector::{Vec3, dot_product, unit_vector};
 use crate::layout::Sphere;
@@ -21,7 +21,7 @@ pub fn intersect_sphere<R: Real>(ray: Ray<R>, sphere: &Sphere<R>) -> R {
     let c = sphere_power(ray.origin, sphere);
     let l = f + d * divide(b, a);
     let mut discriminant = sphere.radius * sphere.radius - dot_product(l, l);
-    if is_near(sphere) {
+    if starts_near(sphere, c) {
         discriminant = divide(b * b - a * c, a);
     }
     if discriminant < R::ZERO {
@@ -47,12 +47,12 @@ pub fn intersect_sphere<R: Real>(ray: Ray<R>, sphere: &Sphere<R>) -> R {
 /// The outward unit normal where the ray meets the sphere at `t`.
 ///
 /// Measured from the centre along l, not as origin + t * direction: the error
-/// is then relative to the radius, not to the distance. Near the surface of a large sphere
-/// it is that anyway, and l says little.
+/// is then relative to the radius, not to the distance. Near the surface both are
+/// alike, and at the horizon what is left of the radius for l is a rounding.
 pub fn sphere_normal<R: Real>(ray: Ray<R>, sphere: &Sphere<R>, t: R) -> Vec3<R> {
     let f = ray.origin - Vec3::from(sphere.center);
     let d = ray.direction;
-    if is_near(sphere) {
+    if starts_near(sphere, sphere_power(ray.origin, sphere)) {
         return unit_vector(f + d * t);
     }
     let a = dot_product(d, d);
@@ -65,7 +65,7 @@ pub fn sphere_normal<R: Real>(ray: Ray<R>, sphere: &Sphere<R>, t: R) -> Vec3<R> 
 
 /// The point of the sphere that is met at `t`, under the outward unit normal.
 pub fn sphere_point<R: Real>(ray: Ray<R>, sphere: &Sphere<R>, normal: Vec3<R>, t: R) -> Vec3<R> {
-    if is_near(sphere) {
+    if starts_near(sphere, sphere_power(ray.origin, sphere)) {
         return ray.origin + ray.direction * t;
     }
     Vec3::from(sphere.center) + normal * sphere.radius

@@ -4,7 +4,7 @@
 use super::divide::{divide, square_root};
 use super::doubt::{ERROR, certain_meeting, doubtful_meeting, meeting_in_box, meeting_within};
 use super::hit::Meeting;
-use super::near_spheres::{is_near, sphere_power};
+use super::near_spheres::{is_near, sphere_power, starts_near};
 use super::own_box::ball_box;
 use super::probe::Probe;
 use super::real::{Real, constant, copy_sign};
@@ -45,8 +45,10 @@ fn bound_sphere<R: Real>(probe: Probe<R>, sphere: &Sphere<R>) -> Meeting<R> {
     let mut c_error = (square * constant(SQUARE_ERROR) + radius_square * constant(RADIUS_ERROR))
         + (taxicab_length(origin) * distance) * constant(ERROR);
     if is_near(sphere) {
-        b_error = (taxicab_length(d) * distance) * constant(NEAR_ERROR);
         c_error = (c.abs() + taxicab_length(origin) * distance) * constant(NEAR_ERROR);
+    }
+    if starts_near(sphere, c) {
+        b_error = (taxicab_length(d) * distance) * constant(NEAR_ERROR);
         chord = b * b - a * c;
         slack = ((R::TWO * b.abs() + b_error) * b_error + a * c_error)
             + ((a * c).abs() + b * b) * constant(ERROR);

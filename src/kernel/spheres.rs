@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::camera::Ray;
 use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
-use super::near_spheres::is_near;
+use super::near_spheres::{sphere_power, starts_near};
 use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, face_viewer, taxicab_length};
@@ -59,7 +59,7 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
     let position = position.to_f32();
     let radius = sphere.radius.to_f32();
     let mut reach = taxicab_length(Vec3::from(sphere.center).to_f32()) + radius;
-    if is_near(sphere) {
+    if starts_near(sphere, sphere_power(ray.origin, sphere)) {
         reach = taxicab_length(position) + radius * NEAR_REACH;
     }
     Some(Surface {

@@ -8,6 +8,7 @@ mod file;
 mod group;
 mod material;
 mod near;
+mod notes;
 mod placement;
 mod section;
 mod settings;
@@ -21,6 +22,7 @@ use toml::de::DeTable;
 
 use self::faults::Faults;
 use self::material::Palette;
+pub use self::notes::Note;
 use self::section::Section;
 use self::syntax::SyntaxError;
 use super::{Light, Scene, check, policy::Policy};
@@ -33,6 +35,8 @@ pub struct Loaded {
     pub scene: Scene,
     /// One line each, for people.
     pub warnings: Vec<String>,
+    /// What f32 cannot tell of it.
+    pub notes: Vec<Note>,
 }
 
 impl Scene {
@@ -85,7 +89,7 @@ pub fn parse_str(text: &str, name: &str, folder: &Path, policy: &Policy) -> Resu
             (table, Faults::new(text, errors, readable.broken))
         }
     };
-    match read(table.get_ref(), folder, policy, &mut faults) {
+    match read(text, table.get_ref(), folder, policy, &mut faults) {
         Some(mut loaded) if faults.is_empty() => {
             loaded.warnings.extend(oddities(&loaded.scene, name));
             Ok(loaded)
@@ -95,6 +99,7 @@ pub fn parse_str(text: &str, name: &str, folder: &Path, policy: &Policy) -> Resu
 }
 
 fn read(
+    text: &str,
     table: &DeTable<'_>,
     folder: &Path,
     policy: &Policy,
@@ -126,17 +131,19 @@ fn read(
     root.close(faults);
 
     let expanded = expand::expand(contents, palette, folder, policy, faults)?;
+    let scene = Scene {
+        image,
+        camera: camera?,
+        background,
+        ambient,
+        lights,
+        materials: expanded.materials,
+        shapes: expanded.shapes,
+        groups: expanded.groups,
+    };
     Some(Loaded {
-        scene: Scene {
-            image,
-            camera: camera?,
-            background,
-            ambient,
-            lights,
-            materials: expanded.materials,
-            shapes: expanded.shapes,
-            groups: expanded.groups,
-        },
+        notes: notes::notes(text, &scene, &expanded.origins),
+        scene,
         warnings: expanded.warnings,
     })
 }

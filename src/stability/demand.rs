@@ -22,6 +22,8 @@ pub enum Demand {
     Classified,
     /// The same with the band of wider numbers in every tier.
     ClassifiedClearly,
+    /// The same where f32 has a band of so many u, less than [`Demand::Classified`] has.
+    ClassifiedWithin(f64),
     /// Hit or miss, and the shape, as the oracle says, whatever the margin: the numbers are such
     /// that nothing has to be rounded.
     Exact,
@@ -29,6 +31,8 @@ pub enum Demand {
     Residual(f64),
     /// t is off by at most so many u t.
     Distance(f64),
+    /// The point at t is off the exact one, which is on the ray too, by at most so many u B.
+    Along(f64),
     /// A ray into a closed surface meets it.
     NoLeak,
     /// A ray that leaves a surface does not meet it at once.
@@ -89,6 +93,10 @@ impl Demand {
             Self::Classified => (truth.margin, band_of(tier)),
             Self::ClassifiedClearly if is_right => (0.0, CLEAR),
             Self::ClassifiedClearly => (truth.margin, CLEAR),
+            Self::ClassifiedWithin(roundings) => {
+                let band = band_of(tier).min(roundings * unit_of(Accuracy::Robust));
+                (if is_right { 0.0 } else { truth.margin }, band.max(CLEAR))
+            }
             Self::Exact => must(is_right),
             Self::Residual(roundings) => match (&answer.shape, is_right && is_hit) {
                 (Some(shape), true) => {
@@ -102,6 +110,15 @@ impl Demand {
                 (off / (unit_of(tier) * truth.t), roundings)
             }
             Self::Distance(roundings) => (0.0, roundings),
+            Self::Along(roundings) => match (&answer.shape, is_right && is_hit) {
+                (Some(shape), true) => {
+                    let length = glam::DVec3::from(<[f64; 3]>::from(answer.ray.direction)).length();
+                    let off = ((found.t - truth.t) - truth.t_rest).abs() * length;
+                    let scale = unit_of(tier) * reach(shape, answer.ray, truth.t);
+                    (off / scale, roundings)
+                }
+                _ => (0.0, roundings),
+            },
             Self::NoLeak => must(is_hit),
             Self::Finite => must(!is_hit || (found.t.is_finite() && found.t > 0.0)),
             Self::BruteForce => must(answer.by_force.is_none_or(|by_force| {
@@ -120,9 +137,13 @@ impl Demand {
             Self::ClassifiedClearly => {
                 "hit or miss, and the shape, as the oracle says, in f32 too".into()
             }
+            Self::ClassifiedWithin(k) => {
+                format!("hit or miss, and the shape, as the oracle says beyond {k} u of B")
+            }
             Self::Exact => "the oracle's answer, to the last bit of the decision".into(),
             Self::Residual(k) => format!("the point is within {k} u B of the shape"),
             Self::Distance(k) => format!("t is within {k} u of itself"),
+            Self::Along(k) => format!("the point is within {k} u B of the exact one"),
             Self::NoLeak => "no ray slips through".into(),
             Self::NoSelfHit => "no ray meets the surface that it leaves".into(),
             Self::Finite => "no NaN or infinity comes out".into(),

@@ -1,11 +1,11 @@
-//! Several trials as one.
+//! Several trials as one, of scenes that differ in what may not be in one scene.
 
 use super::case::Trial;
 use super::subject::Subject;
 use super::tally::Tally;
 use crate::error::Result;
 
-/// Trials, one after the other.
+/// Trials that count as one.
 pub struct Together(pub Vec<Box<dyn Trial>>);
 
 impl Trial for Together {

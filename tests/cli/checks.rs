@@ -119,3 +119,34 @@ fn strict_takes_them_for_errors() {
     room.run("check ok.toml --strict").with(0);
     room.run("render odd.toml -o a.png").with(0);
 }
+
+#[test]
+fn shapes_that_f32_cannot_resolve_are_noted() {
+    let room = Room::new();
+    let far = "[[sphere]]\ncenter = [0, 0, -1e6]\nradius = 1\n";
+    let disk = "[[disk]]\ncenter = [0, 0, -1e3]\nnormal = [0, 0, 1]\nradius = 1e-6\n";
+    // 32 roundings of the distance are a half-millionth of it.
+    let nearer = "[[sphere]]\ncenter = [0, 0, -5e5]\nradius = 1\n";
+    let scene = format!("{SCENE}{far}{nearer}{disk}");
+    room.write("far.toml", &scene);
+    let line = |text: &str| {
+        let before = scene.split(text).next().expect("there");
+        1 + before.matches('\n').count()
+    };
+    let lines = [line(far), line(disk)];
+
+    let told = room.run("check far.toml").with(0);
+    for line in lines {
+        assert!(told.out.contains(&format!("far.toml:{line}:")), "{told:#?}");
+    }
+    assert!(told.out.contains("--accuracy adaptive"), "{told:#?}");
+    let object = room.run("check far.toml --json").with(0).json();
+    let notes = object["notes"].as_array().expect("a list");
+    let found: Vec<_> = notes.iter().map(|note| note["line"].as_u64()).collect();
+    assert_eq!(found, lines.map(|line| Some(line as u64)));
+    let message = notes[0]["message"].as_str().expect("text");
+    assert!(message.contains("--accuracy adaptive"), "{message}");
+
+    let none = room.run("check ok.toml --json").with(0).json();
+    assert_eq!(none["notes"], serde_json::json!([]));
+}

@@ -2,30 +2,24 @@
 //! is, and the cases that each of them fails.
 
 use glam::DVec3;
-use rayproof::accuracy::Widths;
 use rayproof::bounds::ball::bounding_ball;
 use rayproof::bounds::tree::{Node, Tree};
-use rayproof::error::Result;
 use rayproof::flat::Flat;
 use rayproof::found::Found;
-use rayproof::gpu::selfcheck::Arithmetic;
 use rayproof::kernel::aabb::Aabb;
 use rayproof::kernel::camera::Ray;
 use rayproof::kernel::hit::no_hit;
 use rayproof::kernel::probe::probe_of;
 use rayproof::kernel::trace::test_rows;
-use rayproof::layout::{NO_HIT, Pixel};
-use rayproof::paths::{Aim, Paths};
-use rayproof::stability::Subject;
-use rayproof::{Accuracy, Scene};
+use rayproof::layout::NO_HIT;
 
-use super::broken::{AS_IT_IS, Broken, Formula, rightly};
+use super::broken::{Broken, Formula, believing_all, by, rightly};
 use super::broken_boxes::{
     cancelling, culled, nan_culls, near_by_sign, never_enters_flat, not_from_within,
 };
 
 /// For each case of triangles and boxes that the textbook passes, what fails it.
-pub fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
+pub fn broken_for(id: &str) -> Option<Broken> {
     let formula: Formula = match id {
         "triangle/grid" | "triangle/along-edges" | "bounds/in-a-face" => without_edges,
         "triangle/no-area" | "triangle/in-plane" | "triangle/denormal" => without_zero_check,
@@ -46,11 +40,16 @@ pub fn broken_for(id: &str) -> Option<Box<dyn Subject>> {
         | "bounds/all-scales" => |flat, ray| culled(flat, ray, cancelling),
         "bounds/tight-sphere" | "bounds/tight-box" | "bounds/tight-tile" => in_tight_ball,
         "bounds/equal-centroids" => of_a_full_leaf,
-        "triangle/not-a-number" => return Some(Box::new(Credulous)),
-        "bounds/odd-boxes" => return Some(Box::new(OneLeaf)),
+        "triangle/not-a-number" => return Some(believing_all()),
+        "bounds/odd-boxes" => {
+            return Some(Broken {
+                grow: Some(one_leaf),
+                ..Broken::default()
+            });
+        }
         _ => return None,
     };
-    Some(Box::new(Broken(formula)))
+    Some(by(formula))
 }
 
 /// The nearest of what a test finds of each triangle.
@@ -199,62 +198,15 @@ fn in_tight_ball(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
     rightly(&bare, ray)
 }
 
-/// Believes every scene.
-struct Credulous;
-
-/// Has a tree of one leaf.
-struct OneLeaf;
-
-macro_rules! finds_nothing {
-    ($name:ident { $($method:item)* }) => {
-        impl Subject for $name {
-            fn tier(&self) -> Accuracy {
-                Accuracy::Robust
-            }
-
-            fn trace_rays(&self, _: &Widths, rays: &[Ray<f32>]) -> Result<Vec<Found>> {
-                Ok(vec![Found::new(f64::INFINITY, NO_HIT); rays.len()])
-            }
-
-            fn picture(&self, _: &Widths) -> Result<Vec<Pixel>> {
-                Ok(Vec::new())
-            }
-
-            fn follow_paths(
-                &self,
-                widths: &Widths,
-                rays: &[Ray<f32>],
-                aims: &[Aim],
-                legs: u32,
-            ) -> Result<Paths> {
-                AS_IT_IS.follow_paths(widths, rays, aims, legs)
-            }
-
-            fn arithmetic(&self) -> Arithmetic {
-                AS_IT_IS.arithmetic()
-            }
-
-            $($method)*
-        }
+/// A tree of one leaf.
+fn one_leaf(items: Vec<(Aabb, u32)>) -> Tree {
+    let root = Node {
+        aabb: items[0].0,
+        first: 0,
+        count: items.len() as u32,
     };
+    Tree {
+        nodes: vec![root],
+        ids: items.into_iter().map(|(_, id)| id).collect(),
+    }
 }
-
-finds_nothing!(Credulous {
-    fn validate(&self, _: &Scene) -> Result<()> {
-        Ok(())
-    }
-});
-
-finds_nothing!(OneLeaf {
-    fn grow(&self, items: Vec<(Aabb, u32)>) -> Tree {
-        let root = Node {
-            aabb: items[0].0,
-            first: 0,
-            count: items.len() as u32,
-        };
-        Tree {
-            nodes: vec![root],
-            ids: items.into_iter().map(|(_, id)| id).collect(),
-        }
-    }
-});

@@ -5,6 +5,8 @@ mod common;
 
 mod broken;
 mod broken_boxes;
+mod broken_flat;
+mod broken_round;
 mod broken_shading;
 mod broken_straight;
 mod controls;

@@ -6,6 +6,7 @@ use super::asset::{Library, Source};
 use super::faults::Faults;
 use super::group::Contents;
 use super::material::Palette;
+use super::notes::Origin;
 use super::shape::{Draft, Form};
 use crate::scene::policy::Policy;
 use crate::scene::{Geometry, Group, Material, Shape, Transform};
@@ -14,6 +15,8 @@ use crate::scene::{Geometry, Group, Material, Shape, Transform};
 pub(super) struct Expanded {
     pub(super) shapes: Vec<Shape>,
     pub(super) groups: Vec<Group>,
+    /// Where in the file the shapes are from.
+    pub(super) origins: Vec<Origin>,
     pub(super) materials: Vec<Material>,
     pub(super) warnings: Vec<String>,
 }
@@ -30,6 +33,7 @@ pub(super) fn expand(
     let mut library = Library::new(folder, policy);
     let mut budget = Budget::new(policy);
     let mut shapes = Vec::new();
+    let mut origins = Vec::new();
     let mut groups = contents.groups;
     for draft in contents.drafts {
         if !budget.take_shapes(&draft, faults) {
@@ -87,6 +91,7 @@ pub(super) fn expand(
             transform: Transform { linear, translate },
             material: palette.index(material),
         }));
+        origins.push((first..shapes.len(), draft.span.clone()));
         // A group's own shapes stand side by side.
         if let Some(group) = draft.group {
             let own = &mut groups[group].shapes;
@@ -101,6 +106,7 @@ pub(super) fn expand(
     Some(Expanded {
         shapes,
         groups,
+        origins,
         materials: palette.materials,
         warnings: library.warnings,
     })
