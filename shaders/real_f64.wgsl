@@ -2,8 +2,8 @@
 
 alias real = f64;
 
-// The value of t that stands for "no hit": the largest finite number.
-const MISS: real = 1.7976931348623157e308;
+// The value of t that stands for "no hit": the largest number of f32, in which t is handed on.
+const MISS: real = 3.4028234663852886e38;
 
 // How many f32 a number is read from: WGSL makes no f64 of bits. The sum of three is
 // exact.

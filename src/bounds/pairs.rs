@@ -79,9 +79,10 @@ fn planes(aabb: Aabb) -> [[f64; 2]; 3] {
 fn quantise(left: [f64; 2], right: [f64; 2]) -> [u32; 2] {
     let low = left[0].min(right[0]);
     let high = left[1].max(right[1]);
-    // The exponent of the extent is at most that of 255 steps.
+    // The exponent of the extent is at most that of 255 steps; of no extent, the least.
     let extent = (high - low) / STEPS;
-    let mut exponent = (extent.log2().ceil() as i32 - 1).clamp(1 - BIAS, BIAS);
+    let exponent = extent.log2().ceil() as i32;
+    let mut exponent = exponent.saturating_sub(1).clamp(1 - BIAS, BIAS);
     loop {
         // Powers of two: no quotient is rounded.
         let step = f64::powi(2.0, exponent);

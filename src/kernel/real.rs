@@ -29,8 +29,8 @@ pub trait Real:
     const ZERO: Self;
     /// 2.
     const TWO: Self;
-    /// The value of t that stands for "no hit": the largest finite number, since
-    /// WGSL has no infinity. Every true hit is nearer.
+    /// The value of t that stands for "no hit": the largest number of f32, in every width,
+    /// since WGSL has no infinity and shaders hand t on in f32. Every true hit is nearer.
     const MISS: Self;
 
     /// The nearest number of this width.
@@ -90,7 +90,7 @@ impl Real for f64 {
     const WIDTH: Width = Width::Double;
     const ZERO: Self = 0.0;
     const TWO: Self = 2.0;
-    const MISS: Self = Self::MAX;
+    const MISS: Self = f32::MAX as Self;
 
     fn from_f64(value: f64) -> Self {
         value
