@@ -14,7 +14,7 @@ fn intersect_sphere(ray: Ray, sphere: Sphere) -> real {
     let c = sphere_power(ray.origin, sphere);
     let l = f + d * divide(b, a);
     var discriminant = sphere.radius * sphere.radius - dot_product(l, l);
-    if is_near(sphere) {
+    if is_near(sphere) && c < sphere.radius * sphere.radius {
         discriminant = divide(b * b - a * c, a);
     }
     if discriminant < 0.0 {
