@@ -1,16 +1,18 @@
 //! What odd rays find.
 
-use rayproof::accuracy::Widths;
+use rayproof::accuracy::{BAND, Truths, Widths};
 use rayproof::bounds::Bounds;
 use rayproof::flatten::flatten;
 use rayproof::found::Found;
 use rayproof::kernel::camera::Ray;
 use rayproof::layout::NO_HIT;
-use rayproof::{Accuracy, Backend};
+use rayproof::{Accuracy, Backend, Unwatched};
 
+use super::common::aimed::hard_scene;
 use super::common::gpu;
+use super::common::random::Numbers;
 use super::trees::scenes;
-use super::{is_no_ray, odd_rays, thorough};
+use super::{is_no_ray, odd_rays, ordinary_ray, spoilt, thorough};
 
 /// A miss, or a hit at a finite t; of what is no ray, a miss.
 fn assert_sound(case: &str, rays: &[Ray<f32>], found: &[Found]) {
@@ -70,4 +72,33 @@ fn odd_rays_find_nothing_or_something_finite() {
         // The control: not all odd rays are lost.
         assert!(hits > 50 || name == "without area", "{name}: {hits}");
     }
+}
+
+/// Tiny components beside ordinary ones, and no component at all: decided right where the
+/// tier can tell.
+#[test]
+fn tiny_components_are_no_harder_than_others() {
+    let backend = Backend::Cpu(None);
+    let widths = Widths::of(flatten(&hard_scene(true, 1.0)), Bounds::Tree);
+    let mut n = Numbers(8);
+    let mut rays = Vec::new();
+    for tiny in [0.0, -0.0, 1e-39, -1e-39, 1e-30, -1e-30, 1e-20, 1e-10] {
+        for places in [0b001, 0b010, 0b100, 0b011, 0b101, 0b110] {
+            rays.extend((0..100).map(|_| spoilt(ordinary_ray(&mut n), places << 3, tiny)));
+        }
+    }
+    let exact: Vec<Ray<f64>> = rays.iter().map(|ray| ray.converted()).collect();
+    let truths = Truths::of(&widths.double, &exact, &Unwatched).unwrap().0;
+    let wrong = |accuracy, margin| {
+        let found = widths.trace_rays(&backend, accuracy, &rays).unwrap().0;
+        let pairs = found.iter().zip(&truths);
+        let wrong = pairs.filter(|(found, truth)| found.id != truth.id && truth.margin > margin);
+        wrong.count()
+    };
+    for accuracy in [Accuracy::Extended, Accuracy::Double, Accuracy::Adaptive] {
+        assert_eq!(wrong(accuracy, 1e-12), 0, "{}", accuracy.name());
+    }
+    assert_eq!(wrong(Accuracy::Robust, BAND), 0);
+    let hits = truths.iter().filter(|truth| truth.id != NO_HIT).count();
+    assert!(hits > 2000, "{hits}");
 }
