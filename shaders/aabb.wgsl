@@ -8,6 +8,13 @@
 // matters, and finite, so that 0 times it is 0.
 const HUGE: f32 = 1e30;
 
+// Rays that start farther from the camera meet no box: a scene reaches 2e15 at most, and
+// boxes would be wider than that.
+const FARTHEST: f32 = 1e21;
+
+// The bits of the largest finite number.
+const GREATEST_BITS: u32 = 0x7f7fffffu;
+
 // All points from `low` to `high`.
 struct Aabb {
     low: vec3<f32>,
@@ -39,12 +46,30 @@ fn reciprocal(component: f32) -> f32 {
     return divide_f32(1.0, component);
 }
 
+// Whether rays of such a length, from so far away, can be traced: no number of theirs is
+// infinite or none at all, and the length is not 0. Told by the bits, since WGSL lets a
+// compiler take it that there are no such numbers.
+fn leads_somewhere(distance: f32, length: f32) -> bool {
+    let near = bitcast<u32>(distance) <= bitcast<u32>(FARTHEST);
+    return near && bitcast<u32>(length) - 1u < GREATEST_BITS;
+}
+
+// The slabs of a ray that leads nowhere: all boxes are behind it.
+fn slabs_of_nothing() -> Slabs {
+    let past_all = vec3<f32>(FARTHEST, FARTHEST, FARTHEST);
+    return Slabs(past_all, past_all, vec3<f32>(1.0, 1.0, 1.0));
+}
+
 // The ray's slabs. Boxes are padded for rays from the camera; for one that starts
 // elsewhere they are wider by as much of its origin's distance.
 fn slabs_of(ray: Ray) -> Slabs {
     let d = vec3<f32>(ray.direction);
     let o = vec3<f32>(ray.origin);
-    let margin = ((abs(o.x) + abs(o.y)) + abs(o.z)) * padding();
+    let distance = (abs(o.x) + abs(o.y)) + abs(o.z);
+    if !leads_somewhere(distance, (abs(d.x) + abs(d.y)) + abs(d.z)) {
+        return slabs_of_nothing();
+    }
+    let margin = distance * padding();
     let wider = vec3<f32>(margin, margin, margin);
     let inverse = vec3<f32>(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z));
     return Slabs(o + wider, o - wider, inverse);

@@ -108,8 +108,9 @@ fn triangle_point(triangle: Triangle, weights: vec3<real>) -> vec3<real> {
 }
 
 // The unit normal, towards who sees the corners counter-clockwise. The cross
-// product is a square of lengths, and its length takes the square of that.
+// product is a square of lengths, and its length takes the square of that. Measured from the
+// last corner: with the first two exchanged, it is the opposite in every bit.
 fn triangle_normal(triangle: Triangle) -> vec3<real> {
-    let across = cross_product(triangle.b - triangle.a, triangle.c - triangle.a);
+    let across = cross_product(triangle.a - triangle.c, triangle.b - triangle.c);
     return unit_vector(tame_vector(across));
 }

@@ -8,11 +8,18 @@ use super::camera::Ray;
 use super::divide::divide;
 use super::own_box::{padding, slack};
 use super::real::Real;
-use super::vector::{Vec3, vec3};
+use super::vector::{Vec3, taxicab_length, vec3};
 
 /// Stands for the reciprocal of zero: larger than that of any component that
 /// matters, and finite, so that 0 times it is 0.
 pub const HUGE: f32 = 1e30;
+
+/// Rays that start farther from the camera meet no box: a scene reaches 2e15 at most, and
+/// boxes would be wider than that.
+pub const FARTHEST: f32 = 1e21;
+
+/// The bits of the largest finite number.
+const GREATEST_BITS: u32 = 0x7f7f_ffff;
 
 /// All points from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,12 +61,34 @@ fn reciprocal(component: f32) -> f32 {
     divide(1.0, component)
 }
 
+/// Whether rays of such a length, from so far away, can be traced: no number of theirs is
+/// infinite or none at all, and the length is not 0. Told by the bits, since WGSL lets a
+/// compiler take it that there are no such numbers.
+fn leads_somewhere(distance: f32, length: f32) -> bool {
+    distance.to_bits() <= FARTHEST.to_bits() && length.to_bits().wrapping_sub(1) < GREATEST_BITS
+}
+
+/// The slabs of a ray that leads nowhere: all boxes are behind it.
+fn slabs_of_nothing<R: Real>() -> Slabs {
+    let past_all = vec3(FARTHEST, FARTHEST, FARTHEST);
+    Slabs {
+        above: past_all,
+        below: past_all,
+        inverse: vec3(1.0, 1.0, 1.0),
+        slack: slack::<R>(),
+    }
+}
+
 /// The ray's slabs. Boxes are padded for rays from the camera; for one that starts
 /// elsewhere they are wider by as much of its origin's distance.
 pub fn slabs_of<R: Real>(ray: Ray<R>) -> Slabs {
     let d = ray.direction.to_f32();
     let o = ray.origin.to_f32();
-    let margin = ((o.x.abs() + o.y.abs()) + o.z.abs()) * padding::<R>();
+    let distance = taxicab_length(o);
+    if !leads_somewhere(distance, taxicab_length(d)) {
+        return slabs_of_nothing::<R>();
+    }
+    let margin = distance * padding::<R>();
     let wider = vec3(margin, margin, margin);
     Slabs {
         above: o + wider,

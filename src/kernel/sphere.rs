@@ -12,7 +12,8 @@ use crate::layout::Sphere;
 ///
 /// The discriminant is taken at the ray's point nearest to the centre, where
 /// nothing large cancels, and the small root comes from the large one. Near the surface
-/// of a large sphere, see [`super::near_spheres`].
+/// of a large sphere, and for rays from no farther than its size, see
+/// [`super::near_spheres`].
 pub fn intersect_sphere<R: Real>(ray: Ray<R>, sphere: &Sphere<R>) -> R {
     let f = ray.origin - Vec3::from(sphere.center);
     let d = ray.direction;

@@ -144,9 +144,10 @@ pub fn triangle_point<R: Real>(triangle: &Triangle<R>, weights: Vec3<R>) -> Vec3
 }
 
 /// The unit normal, towards who sees the corners counter-clockwise. The cross
-/// product is a square of lengths, and its length takes the square of that.
+/// product is a square of lengths, and its length takes the square of that. Measured from the
+/// last corner: with the first two exchanged, it is the opposite in every bit.
 pub fn triangle_normal<R: Real>(triangle: &Triangle<R>) -> Vec3<R> {
-    let a = Vec3::from(triangle.a);
-    let across = cross_product(Vec3::from(triangle.b) - a, Vec3::from(triangle.c) - a);
+    let c = Vec3::from(triangle.c);
+    let across = cross_product(Vec3::from(triangle.a) - c, Vec3::from(triangle.b) - c);
     unit_vector(tame_vector(across))
 }
