@@ -7,6 +7,7 @@
 
 pub mod errors;
 pub mod hazard;
+mod lengths;
 mod paths;
 pub mod truth;
 pub mod widths;

@@ -1,5 +1,6 @@
 //! A scene in the numbers of every tier.
 
+use super::lengths::{of_their_own, ordinary};
 use crate::bounds::{self, Bounds};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -129,7 +130,7 @@ impl Widths {
     }
 
     /// Finds the closest hit of each ray in a tier, and tells how many rays were traced a
-    /// second time.
+    /// second time. A direction may be of any length; only the textbook takes it as it comes.
     ///
     /// # Errors
     ///
@@ -143,20 +144,33 @@ impl Widths {
         if let Some(reason) = backend.lacks(accuracy) {
             return Err(Error::Usage(reason));
         }
-        let found = match accuracy {
-            Accuracy::Textbook => list(backend, &self.textbook, rays),
-            Accuracy::Robust => list(backend, &self.robust, rays),
-            Accuracy::Extended => list(backend, &self.extended, rays),
-            Accuracy::Double => list(backend, &self.double, rays),
-            Accuracy::Adaptive => {
-                return match backend {
-                    Backend::Cpu(threads) => {
-                        cpu::rays::trace_adaptively(&self.bounded, &self.double, rays, *threads)
-                    }
-                    Backend::Gpu(gpu) => {
-                        gpu::rays::trace_adaptively(gpu, &self.bounded, &self.double, rays)
-                    }
-                };
+        if accuracy == Accuracy::Textbook {
+            return Ok((list(backend, &self.textbook, rays)?, 0));
+        }
+        let Some((ordinary, powers)) = ordinary(rays) else {
+            return self.trace_ordinary_rays(backend, accuracy, rays);
+        };
+        let (mut found, retraced) = self.trace_ordinary_rays(backend, accuracy, &ordinary)?;
+        of_their_own(&mut found, &powers);
+        Ok((found, retraced))
+    }
+
+    fn trace_ordinary_rays(
+        &self,
+        backend: &Backend,
+        accuracy: Accuracy,
+        rays: &[Ray<f32>],
+    ) -> Result<(Vec<Found>, u64)> {
+        let found = match (accuracy, backend) {
+            (Accuracy::Textbook, _) => list(backend, &self.textbook, rays),
+            (Accuracy::Robust, _) => list(backend, &self.robust, rays),
+            (Accuracy::Extended, _) => list(backend, &self.extended, rays),
+            (Accuracy::Double, _) => list(backend, &self.double, rays),
+            (Accuracy::Adaptive, Backend::Cpu(threads)) => {
+                return cpu::rays::trace_adaptively(&self.bounded, &self.double, rays, *threads);
+            }
+            (Accuracy::Adaptive, Backend::Gpu(gpu)) => {
+                return gpu::rays::trace_adaptively(gpu, &self.bounded, &self.double, rays);
             }
         };
         Ok((found?, 0))

@@ -20,6 +20,7 @@ pub mod grown;
 pub mod journeys;
 pub mod lit;
 pub mod monotone;
+pub mod odd_rays;
 pub mod pictures;
 pub mod refused;
 pub mod residual;

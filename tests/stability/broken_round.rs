@@ -26,7 +26,7 @@ pub fn broken_for(id: &str) -> Option<Broken> {
         "sphere/equal" | "flat/disk-in-plane" | "flat/equal-disks" => last_of_equals,
         "sphere/start-outward" | "sphere/start-inward" | "flat/start-on-plane" => zero_is_a_hit,
         "sphere/start-center" | "sphere/direction-1e10" => unit_length_taken,
-        "sphere/direction-1e-18" => unit_length_taken,
+        "sphere/direction-1e-30" => unit_length_taken,
         "sphere/start-abreast" => sign_of_zero,
         "sphere/behind" | "flat/behind" => behind_too,
         "sphere/origin-1e20" => overflow_unchecked,

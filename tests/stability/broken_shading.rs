@@ -2,8 +2,11 @@
 
 use rayproof::accuracy::Widths;
 use rayproof::error::Result;
+use rayproof::flat::Flat;
+use rayproof::found::Found;
+use rayproof::kernel::camera::Ray;
 use rayproof::kernel::vector::{Vec3, dot_product, vector_length};
-use rayproof::layout::{LightRecord, Pixel};
+use rayproof::layout::{LightRecord, NO_HIT, Pixel};
 use rayproof::stability::Subject;
 
 use super::broken::{AS_IT_IS, Broken};
@@ -43,11 +46,40 @@ fn naive(unit: Vec3<f32>, normal: Vec3<f32>, ratio: f32) -> Vec3<f32> {
     unit * ratio + normal * (ratio * cosine - beyond)
 }
 
+/// What no comparison rules out is a hit.
+fn nothing_ruled_out(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
+    let sphere = &flat.spheres[0];
+    let f = ray.origin - Vec3::from(sphere.center);
+    let l = f - ray.direction
+        * (dot_product(f, ray.direction) / dot_product(ray.direction, ray.direction));
+    if dot_product(l, l) > sphere.radius * sphere.radius {
+        return Found::new(f64::INFINITY, NO_HIT);
+    }
+    Found::new(1.0, 0)
+}
+
+/// Rays that no box is behind visit them all.
+fn all_visited(flat: &Flat<f64>, ray: Ray<f64>) -> Found {
+    let is_ordinary =
+        (1e-3..1e3).contains(&vector_length(ray.direction)) && vector_length(ray.origin) < 1e3;
+    let visits = if is_ordinary {
+        50
+    } else {
+        flat.triangles.len()
+    };
+    let sum = flat.triangles[..visits]
+        .iter()
+        .map(|triangle| u64::from(triangle.id));
+    Found::new(1.0, std::hint::black_box(sum.sum::<u64>()) as u32)
+}
+
 /// What fails a case of light or of arithmetic that the textbook passes.
 pub fn broken_for(id: &str) -> Option<Broken> {
     let mut broken = Broken::default();
     let mut arithmetic = AS_IT_IS.arithmetic();
     match id {
+        "arithmetic/odd-rays" => broken.formula = Some(nothing_ruled_out),
+        "arithmetic/odd-rays-in-time" => broken.formula = Some(all_visited),
         "shading/light-on-surface" => {
             broken.picture = Some(|widths| lit_by(widths, divided_by_nothing));
         }

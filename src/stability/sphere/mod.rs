@@ -51,7 +51,7 @@ pub const FAMILY: Family = Family {
         start::BEHIND,
         scale::DIRECTION_1E10,
         scale::DIRECTION_POWERS,
-        scale::DIRECTION_1E19,
+        scale::DIRECTION_LONG,
         scale::DIRECTION_SHORT,
         scale::SMALLEST,
         scale::LARGEST,

@@ -15,7 +15,7 @@ use crate::bounds::Bounds;
 use crate::error::Result;
 use crate::kernel::camera::Ray;
 use crate::random::Numbers;
-use crate::render::Accuracy::{Extended, Textbook};
+use crate::render::Accuracy::Textbook;
 use crate::scene::Scene;
 
 pub(super) const DIRECTION_1E10: Case = Case {
@@ -60,22 +60,21 @@ pub(super) const DIRECTION_POWERS: Case = Case {
     ..DIRECTION_1E10
 };
 
-pub(super) const DIRECTION_1E19: Case = Case {
-    id: "sphere/direction-1e19",
-    name: "directions that are about 10^19 long",
-    danger: "b^2 is beyond f32, and infinity less infinity is no number.",
+pub(super) const DIRECTION_LONG: Case = Case {
+    id: "sphere/direction-1e30",
+    name: "directions that are 10^30 long",
+    danger: "d.d is beyond f32, and infinity less infinity is no number.",
     fails: &[Textbook],
-    trial: |n, demands| long(n, demands, |_| 6e18),
+    trial: |n, demands| long(n, demands, |_| 1e30),
     ..DIRECTION_1E10
 };
 
-// d.d is 10^-36, of which two f32 keep 2^-149 at the least: 28 bits.
 pub(super) const DIRECTION_SHORT: Case = Case {
-    id: "sphere/direction-1e-18",
-    name: "directions that are 10^-18 long",
-    danger: "The low half of d.d is below the least f32: what is left of two f32 is one.",
-    fails: &[Extended],
-    trial: |n, demands| long(n, demands, |_| 1e-18),
+    id: "sphere/direction-1e-30",
+    name: "directions that are 10^-30 long",
+    danger: "d.d is below the least f32, and a quotient by it infinite.",
+    fails: &[Textbook],
+    trial: |n, demands| long(n, demands, |_| 1e-30),
     ..DIRECTION_1E10
 };
 
