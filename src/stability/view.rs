@@ -1,9 +1,9 @@
 //! What some of the cases look like: the wrong pixels of a tier.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::demand::band_of;
-use super::shapes::{flat_of, mesh, scene_of, sphere};
+use super::shapes::{disk, flat_of, mesh, scene_of, sphere};
 use super::subject::{Station, Subject};
 use crate::accuracy::errors::verdict;
 use crate::accuracy::truth::rounded_rays;
@@ -12,7 +12,10 @@ use crate::bounds::Bounds;
 use crate::error::Result;
 use crate::frame::{Layer, Verdict, wrong_colors};
 use crate::kernel::camera::Ray;
+use crate::layout::NO_HIT;
+use crate::paths::Aim;
 use crate::random::Numbers;
+use crate::render::{Accuracy, Backend};
 use crate::scene::{Light, Mesh, Scene, Transfer};
 use crate::watch::Watch;
 
@@ -24,6 +27,8 @@ pub struct View {
     pub caption: &'static str,
     /// The scene, as large as the picture.
     pub scene: fn() -> Scene,
+    /// Whether shadows are to be seen, of the scene's directional light, in place of shapes.
+    pub has_shadows: bool,
 }
 
 /// Pixels of a picture's side.
@@ -35,11 +40,31 @@ pub const VIEWS: &[View] = &[
         id: "sphere/far-1e4",
         caption: "a unit sphere 10,000 away",
         scene: far_sphere,
+        has_shadows: false,
     },
     View {
-        id: "triangle/shared-vertices",
-        caption: "a crumpled sheet whose edges are aimed at",
+        id: "sphere/horizon",
+        caption: "the horizon of a planet, from 2 above its ground",
+        scene: horizon,
+        has_shadows: false,
+    },
+    View {
+        id: "triangle/shared-edges",
+        caption: "a crumpled sheet, with rays along its edges",
         scene: crumpled_sheet,
+        has_shadows: false,
+    },
+    View {
+        id: "shading/acne",
+        caption: "the shadow of a ball of radius 100,000",
+        scene: || ball_on_floor(1e5),
+        has_shadows: true,
+    },
+    View {
+        id: "shading/contact",
+        caption: "the shadow of a ball of radius 0.0003",
+        scene: || ball_on_floor(3e-4),
+        has_shadows: true,
     },
 ];
 
@@ -79,30 +104,66 @@ impl View {
     }
 
     /// The picture of a subject's errors: the exact picture in grey, wrong pixels in colour.
-    /// Where two shapes meet, either is right. Three bytes a pixel; width and height.
+    /// Where two shapes meet, either is right; shadows are held to those in f64. Three bytes a
+    /// pixel; width and height.
     ///
     /// # Errors
     ///
     /// Those of the subject, and [`crate::Error::Interrupted`] when `watch` says so.
     pub fn picture(&self, on: &dyn Subject, watch: &dyn Watch) -> Result<(Vec<u8>, [u32; 2])> {
-        let flat = flat_of(&(self.scene)());
+        let scene = (self.scene)();
+        let flat = flat_of(&scene);
         let rays = rounded_rays(&flat);
         let exact: Vec<Ray<f64>> = rays.iter().map(|ray| ray.converted()).collect();
         let widths = Widths::of(flat, Bounds::Tree);
         let truths = Truths::of(&widths.double, &exact, watch)?;
-        let found = on.trace_rays(&widths, &rays)?;
         let base = truths.frame(&widths.double, &exact)?;
-        let verdicts: Vec<_> = found
-            .iter()
-            .zip(&truths.0)
-            .map(|(found, truth)| match verdict(found.id, truth.id) {
-                Verdict::WrongShape if truth.margin <= band_of(on.tier()) => Verdict::Right,
-                verdict => verdict,
-            })
-            .collect();
-        let base = base.to_rgb8(Layer::Color, Transfer::Srgb);
+        let mut base = base.to_rgb8(Layer::Color, Transfer::Srgb);
+        let verdicts = if self.has_shadows {
+            let double = Station {
+                backend: &Backend::Cpu(None),
+                tier: Accuracy::Double,
+            };
+            let in_truth = shadows(&double, &widths, &rays)?;
+            for (pixel, is_dark) in base.chunks_mut(3).zip(&in_truth) {
+                if *is_dark {
+                    pixel.iter_mut().for_each(|channel| *channel /= 2);
+                }
+            }
+            let found = shadows(on, &widths, &rays)?;
+            found
+                .iter()
+                .zip(&in_truth)
+                .map(|pair| match pair {
+                    (false, true) => Verdict::FalseMiss,
+                    (true, false) => Verdict::FalseHit,
+                    _ => Verdict::Right,
+                })
+                .collect()
+        } else {
+            let found = on.trace_rays(&widths, &rays)?;
+            let pairs = found.iter().zip(&truths.0);
+            pairs
+                .map(|(found, truth)| match verdict(found.id, truth.id) {
+                    Verdict::WrongShape if truth.margin <= band_of(on.tier()) => Verdict::Right,
+                    verdict => verdict,
+                })
+                .collect::<Vec<_>>()
+        };
         Ok((wrong_colors(&base, &verdicts), widths.double.size))
     }
+}
+
+/// Of each ray, whether something keeps the directional light off what it meets.
+fn shadows(on: &dyn Subject, widths: &Widths, rays: &[Ray<f32>]) -> Result<Vec<bool>> {
+    let light = widths.double.lights[0].vector;
+    let aims = vec![Aim::Towards(light.into()); rays.len()];
+    let paths = on.follow_paths(widths, rays, &aims, 2)?;
+    Ok(paths
+        .found
+        .chunks(2)
+        .map(|legs| legs[1].id != NO_HIT)
+        .collect())
 }
 
 /// A scene in the light of a lamp behind the camera.
@@ -115,6 +176,26 @@ fn lit(mut scene: Scene) -> Scene {
     scene.with_size(SIDE, SIDE)
 }
 
+/// A little below the horizon, a ground that is round by a metre in some kilometres.
+fn horizon() -> Scene {
+    let radius = 6_371_000.0;
+    let mut scene = lit(scene_of([sphere(-DVec3::Y * (radius + 2.0), radius)]));
+    let dip = (2.0 * 2.0 / radius).sqrt();
+    scene.camera.target = DVec3::new(0.0, -dip, -1.0);
+    scene.camera.fov_degrees = (0.2 * dip).to_degrees();
+    scene
+}
+
+/// A ball on a floor, in light from the side.
+fn ball_on_floor(radius: f64) -> Scene {
+    let floor = disk(-DVec3::Y * radius, DVec3::Y, 4.0 * radius);
+    let mut scene = lit(scene_of([floor, sphere(DVec3::ZERO, radius)]));
+    scene.camera.eye = DVec3::new(0.0, 2.0, 6.0) * radius;
+    scene.camera.target = DVec3::new(0.3, -0.5, 0.0) * radius;
+    scene.camera.fov_degrees = 40.0;
+    scene
+}
+
 fn far_sphere() -> Scene {
     let mut scene = lit(scene_of([sphere(DVec3::ZERO, 1.0)]));
     scene.camera.eye = DVec3::new(0.36, 0.48, 0.8) * 1e4;
@@ -124,24 +205,30 @@ fn far_sphere() -> Scene {
 }
 
 /// A sheet whose vertices lie on rays of pixels, every twelfth in both directions, and so do
-/// points of its edges.
+/// points of its edges. It is larger than the picture.
 fn crumpled_sheet() -> Scene {
     let scene = lit(scene_of([]));
     let rays = rounded_rays(&flat_of(&scene));
-    let step = 12;
-    let across = SIDE / step;
+    let ray = |x: u32, y: u32| {
+        let ray: Ray<f64> = rays[(y * SIDE + x) as usize].converted();
+        DVec3::from_array(ray.direction.into())
+    };
+    // Off the picture there are no rays to lie on.
+    let (step, side) = (12, i64::from(SIDE));
+    let [right, down] = [ray(1, 0), ray(0, 1)].map(|next| next - ray(0, 0));
+    let along = |x: i64, y: i64| match (u32::try_from(x), u32::try_from(y)) {
+        (Ok(x), Ok(y)) if x < SIDE && y < SIDE => ray(x, y),
+        _ => ray(0, 0) + right * x as f64 + down * y as f64,
+    };
+    let places: Vec<i64> = (-step / 2..side + step).step_by(step as usize).collect();
     let mut n = Numbers(1);
     let mut sheet = Mesh::default();
-    for row in 0..across {
-        for column in 0..across {
-            let pixel = (row * step + step / 2) * SIDE + column * step + step / 2;
-            let ray: Ray<f64> = rays[pixel as usize].converted();
-            let depth = n.between(3.0, 3.6);
-            sheet
-                .positions
-                .push(DVec3::from_array(ray.direction.into()) * depth);
+    for &y in &places {
+        for &x in &places {
+            sheet.positions.push(along(x, y) * n.between(3.0, 3.6));
         }
     }
+    let across = places.len() as u32;
     for row in 1..across {
         for column in 1..across {
             let corner = row * across + column;
@@ -149,8 +236,5 @@ fn crumpled_sheet() -> Scene {
             sheet.triangles.extend([[a, c, b], [b, c, d]]);
         }
     }
-    let sheet = mesh(sheet, glam::DMat3::IDENTITY, DVec3::ZERO);
-    let mut scene = lit(scene_of([sheet]));
-    scene.background.from = [0.0; 3];
-    scene
+    lit(scene_of([mesh(sheet, DMat3::IDENTITY, DVec3::ZERO)]))
 }
