@@ -1,7 +1,7 @@
 //! A hard case, and how it came out.
 
 use super::demand::Demand;
-use super::subject::Subject;
+use super::subject::{Station, Subject};
 use super::tally::Tally;
 use crate::error::Result;
 use crate::random::Numbers;
@@ -47,10 +47,27 @@ pub struct Case {
     pub trial: SetUp,
 }
 
+/// Cases of lengths around 10^-15, and the tiers that fail them in two f32 on a device that
+/// makes denormal numbers 0: the low half of a square is one there, and gone.
+pub const NEED_DENORMALS: [(&str, &[Accuracy]); 2] = [
+    ("sphere/smallest", &[Accuracy::Extended]),
+    (
+        "triangle/small-mesh",
+        &[Accuracy::Extended, Accuracy::Adaptive],
+    ),
+];
+
 impl Case {
-    /// Whether a tier is expected to fail it.
+    /// Whether a tier is expected to fail it, where denormal numbers are kept.
     pub fn is_expected_to_fail(&self, tier: Accuracy) -> bool {
         self.fails.contains(&tier)
+    }
+
+    /// Whether it is expected to fail at a station.
+    pub fn is_expected_to_fail_at(&self, station: &Station<'_>) -> bool {
+        let needs = NEED_DENORMALS.iter().find(|(id, _)| *id == self.id);
+        let lacks = needs.is_some_and(|(_, tiers)| tiers.contains(&station.tier));
+        self.is_expected_to_fail(station.tier) || (lacks && station.loses_halves())
     }
 }
 
@@ -70,6 +87,8 @@ pub struct Verdict {
     pub case: &'static Case,
     /// The tier.
     pub tier: Accuracy,
+    /// Whether it is expected to fall short there.
+    pub is_expected_to_fail: bool,
     /// What was counted.
     pub tally: Tally,
 }
@@ -82,6 +101,6 @@ impl Verdict {
 
     /// Whether it came out as the catalogue says.
     pub fn is_as_expected(&self) -> bool {
-        self.passes() != self.case.is_expected_to_fail(self.tier)
+        self.passes() != self.is_expected_to_fail
     }
 }

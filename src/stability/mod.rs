@@ -81,6 +81,7 @@ pub fn try_case(
         .map(|station| Verdict {
             case,
             tier: station.tier,
+            is_expected_to_fail: case.is_expected_to_fail_at(station),
             tally: Tally::default(),
         })
         .collect();

@@ -74,6 +74,22 @@ pub struct Station<'a> {
     pub tier: Accuracy,
 }
 
+impl Station<'_> {
+    /// Whether numbers are two f32, at least in the second pass, on a device that makes
+    /// denormal ones 0.
+    pub fn loses_halves(&self) -> bool {
+        let Backend::Gpu(gpu) = self.backend else {
+            return false;
+        };
+        let is_two = match self.tier {
+            Accuracy::Extended => true,
+            Accuracy::Adaptive => !gpu.arithmetic.f64,
+            _ => false,
+        };
+        is_two && !gpu.arithmetic.denormals
+    }
+}
+
 impl Subject for Station<'_> {
     fn tier(&self) -> Accuracy {
         self.tier
