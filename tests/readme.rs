@@ -51,7 +51,15 @@ const FIELDS: &[&str] = &[
 ];
 
 /// How lines of tables begin whose columns are times and ratios.
-const COLUMNS: &[&str] = &["backend  ", "cpu  ", "gpu  ", "cpu, ", "  n^"];
+const COLUMNS: &[&str] = &[
+    "backend  ",
+    "cpu  ",
+    "gpu  ",
+    "cpu, ",
+    "  n^",
+    "arithmetic/odd-rays-in-time",
+    "All ",
+];
 
 /// Parts what one command prints from what the next one does: a control
 /// character that no output holds.
