@@ -10,12 +10,13 @@ fn refracted(direction: vec3<f32>, normal: vec3<f32>, ratio: f32) -> vec3<f32> {
     let unit = unit_vector_f32(tame_vector_f32(direction));
     let along = -dot_product_f32(unit, normal);
     let cosine = select(1.0, along, along < 1.0);
-    // The square of the ratio could overflow, and infinity times 0 is no number.
-    let sine_squared = ratio * (ratio * (1.0 - cosine * cosine));
+    let across = unit + normal * cosine;
+    // The square of the ratio could overflow, and infinity times 0 is no number. And 1 less
+    // the square of the cosine would lose a small sine.
+    let sine_squared = ratio * (ratio * dot_product_f32(across, across));
     if sine_squared > 1.0 {
         return unit_vector_f32(mirrored(unit, normal));
     }
     let cosine_beyond = square_root_f32(1.0 - sine_squared);
-    let across = unit + normal * cosine;
     return unit_vector_f32(tame_vector_f32(across * ratio - normal * cosine_beyond));
 }

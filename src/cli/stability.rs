@@ -6,6 +6,8 @@ mod results;
 use std::path::Path;
 use std::time::Instant;
 
+use serde::Serialize;
+
 use self::flags::StabilityArguments;
 use self::results::{Results, Row, Sum};
 use super::Outcome;
@@ -14,7 +16,7 @@ use super::progress::Progress;
 use super::report;
 use rayproof::error::{Error, Result};
 use rayproof::frame::{check_writable, write_rgb8};
-use rayproof::render::Backend;
+use rayproof::render::{Accuracy, Backend};
 use rayproof::stability::view::View;
 use rayproof::stability::{Case, Station, try_case};
 use rayproof::watch::Watch;
@@ -31,15 +33,25 @@ pub(super) fn run(arguments: &StabilityArguments, common: &Common) -> Result<Out
         check_writable(path)?;
     }
     let backends = arguments.backends()?;
+    let asked = asked(arguments, &backends);
+    let is_there = |(_, station): &&(usize, Station<'_>)| station.lacks().is_none();
+    let stations: Vec<_> = asked.iter().filter(is_there).copied().collect();
+    if stations.is_empty() {
+        let reasons: Vec<String> = asked.iter().filter_map(|(_, at)| at.lacks()).collect();
+        return Err(Error::Usage(reasons.join("; ")));
+    }
     if let Some((path, view)) = view {
-        draw(view, path, &stations(arguments, &backends), common)?;
+        draw(view, path, &stations, common)?;
         return Ok(Outcome::Done);
     }
     let mut results = Results {
         rounds: arguments.rounds(),
         seconds: 0.0,
         cases: Vec::new(),
-        summary: sums(arguments, &backends),
+        summary: asked
+            .iter()
+            .map(|(place, at)| Sum::of(*place, at))
+            .collect(),
     };
     let started = Instant::now();
     let progress = Progress::new(common, "hard cases");
@@ -49,7 +61,7 @@ pub(super) fn run(arguments: &StabilityArguments, common: &Common) -> Result<Out
             number,
             parts: cases.len(),
         };
-        results.try_case(case, &stations(arguments, &backends), &part)?;
+        results.try_case(case, &stations, &part)?;
     }
     drop(progress);
     results.seconds = started.elapsed().as_secs_f64();
@@ -65,37 +77,49 @@ pub(super) fn run(arguments: &StabilityArguments, common: &Common) -> Result<Out
     })
 }
 
+/// What is told of a picture.
+#[derive(Serialize)]
+struct Drawn<'a> {
+    case: &'a str,
+    file: String,
+    tiers: Vec<Accuracy>,
+    width: u32,
+    height: u32,
+}
+
 /// Writes what a case looks like in each tier, side by side, on the last of the backends.
-fn draw(view: &View, path: &Path, stations: &[Station<'_>], common: &Common) -> Result<()> {
-    let Some(last) = stations.last() else {
-        return Err(Error::Usage("no backend has such a tier".into()));
-    };
-    let on_last = |station: &&Station<'_>| std::ptr::eq(station.backend, last.backend);
-    let stations: Vec<Station<'_>> = stations.iter().filter(on_last).copied().collect();
+fn draw(
+    view: &View,
+    path: &Path,
+    stations: &[(usize, Station<'_>)],
+    common: &Common,
+) -> Result<()> {
+    let last = stations.iter().map(|(place, _)| *place).max();
+    let on_last = stations.iter().filter(|(place, _)| Some(*place) == last);
+    let stations: Vec<Station<'_>> = on_last.map(|(_, station)| *station).collect();
     let progress = Progress::new(common, view.id);
     let (pixels, [width, height]) = view.side_by_side(&stations, &progress)?;
-    write_rgb8(path, width, height, &pixels)
+    write_rgb8(path, width, height, &pixels)?;
+    if common.json {
+        report::print(&report::json(&Drawn {
+            case: view.id,
+            file: path.display().to_string(),
+            tiers: stations.iter().map(|station| station.tier).collect(),
+            width,
+            height,
+        }))?;
+    }
+    Ok(())
 }
 
-/// The tiers that each backend has.
-fn stations<'a>(arguments: &StabilityArguments, backends: &'a [Backend]) -> Vec<Station<'a>> {
+/// Each tier asked for on each backend, and which backend that is; those that it lacks too.
+fn asked<'a>(arguments: &StabilityArguments, backends: &'a [Backend]) -> Vec<(usize, Station<'a>)> {
     let tiers = arguments.tiers();
-    let stations = backends
-        .iter()
-        .flat_map(|backend| tiers.iter().map(move |&tier| Station { backend, tier }));
-    stations
-        .filter(|station| station.backend.lacks(station.tier).is_none())
-        .collect()
-}
-
-/// A sum for each tier on each backend, those that it lacks among them.
-fn sums(arguments: &StabilityArguments, backends: &[Backend]) -> Vec<Sum> {
-    let tiers = arguments.tiers();
-    let sum = |backend, tier| Sum::of(&Station { backend, tier });
-    backends
-        .iter()
-        .flat_map(|backend| tiers.iter().map(move |&tier| sum(backend, tier)))
-        .collect()
+    let of_backend = |(place, backend): (usize, &'a Backend)| {
+        let station = move |tier| (place, Station { backend, tier });
+        tiers.clone().into_iter().map(station)
+    };
+    backends.iter().enumerate().flat_map(of_backend).collect()
 }
 
 impl Results {
@@ -103,12 +127,13 @@ impl Results {
     fn try_case(
         &mut self,
         case: &'static Case,
-        stations: &[Station<'_>],
+        stations: &[(usize, Station<'_>)],
         watch: &dyn Watch,
     ) -> Result<()> {
-        let verdicts = try_case(case, stations, self.rounds, watch)?;
-        for (station, verdict) in stations.iter().zip(verdicts) {
-            let row = Row::of(station, &verdict);
+        let only: Vec<Station<'_>> = stations.iter().map(|(_, station)| *station).collect();
+        let verdicts = try_case(case, &only, self.rounds, watch)?;
+        for ((place, station), verdict) in stations.iter().zip(verdicts) {
+            let row = Row::of(*place, station, &verdict);
             let own = |sum: &&mut Sum| sum.is_of(&row);
             if let Some(sum) = self.summary.iter_mut().find(own) {
                 sum.add(&row);

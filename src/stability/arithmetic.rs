@@ -9,6 +9,7 @@ use super::odd_rays::{InTime, MeetNothing};
 use super::shapes::{flat_of, mesh, scene_of, sphere};
 use super::subject::Subject;
 use super::tally::Tally;
+use super::together::Together;
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::error::Result;
@@ -85,15 +86,20 @@ pub const FAMILY: Family = Family {
             fails: &[],
             is_random: false,
             trial: |n, _| {
-                let widths = a_scene();
-                let mut odd = odd_rays(&widths, n);
-                odd.extend(extreme_rays(&widths, n));
-                let ordinary = at_the_scene(&widths, odd.len(), n);
-                Ok(Box::new(InTime {
-                    widths,
-                    ordinary,
-                    odd,
-                }))
+                let in_time = |odd: fn(&Widths, &mut Numbers) -> Vec<Ray<f32>>, n: &mut _| {
+                    let widths = a_scene();
+                    let odd = odd(&widths, n);
+                    let ordinary = at_the_scene(&widths, odd.len(), n);
+                    Box::new(InTime {
+                        widths,
+                        ordinary,
+                        odd,
+                    })
+                };
+                Ok(Box::new(Together(vec![
+                    in_time(odd_rays, n),
+                    in_time(extreme_rays, n),
+                ])))
             },
         },
     ]],

@@ -29,7 +29,8 @@ pub struct Seen {
 
 impl Seen {
     /// Of a scene that has one shape, a sphere, of which points and normals are to be within so
-    /// many roundings of the radius.
+    /// many roundings of the radius, and a normal along the point's way from the centre within
+    /// as many of that point.
     ///
     /// # Errors
     ///
@@ -64,9 +65,12 @@ impl Trial for Seen {
             let from_center = vector(pixel.position) - center;
             let rounding = unit * (center.length() + radius);
             let off = (from_center.length() - radius).abs() - rounding;
+            // All of these spheres are seen from outside.
+            let turned = vector(pixel.normal).distance(from_center.normalize());
             tally.count([
                 (normal.abs() / unit, self.roundings),
                 (off.max(0.0) / (unit * radius), self.roundings),
+                (turned * radius / rounding, self.roundings),
             ]);
         }
         Ok(tally)

@@ -75,6 +75,11 @@ pub struct Station<'a> {
 }
 
 impl Station<'_> {
+    /// Why the backend does not have the tier, if it does not.
+    pub fn lacks(&self) -> Option<String> {
+        self.backend.lacks(self.tier)
+    }
+
     /// Whether numbers are two f32, at least in the second pass, on a device that makes
     /// denormal ones 0.
     pub fn loses_halves(&self) -> bool {

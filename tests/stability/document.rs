@@ -55,15 +55,29 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     writeln!(text, "{}\n", case.sets_up)?;
     writeln!(text, "Why careless code fails: {}\n", case.danger)?;
     writeln!(text, "Demanded: {}.", demands.join("; "))?;
+    if !case.needs_denormals().is_empty() {
+        let tiers: Vec<&str> = case
+            .needs_denormals()
+            .iter()
+            .map(|tier| tier.name())
+            .collect();
+        writeln!(text, "\n{}: {NEEDS_DENORMALS}.", tiers.join(" and "))?;
+    }
     if let Some(view) = view_of(case.id) {
         let picture = picture_of(view);
         writeln!(text, "\n![{}]({picture})\n", view.caption)?;
-        writeln!(text, "Textbook and robust: {}. {LEGEND}", view.caption)?;
+        let legend = if view.has_shadows { OF_SHADOWS } else { LEGEND };
+        writeln!(text, "Textbook and robust: {}. {legend}", view.caption)?;
     }
     Ok(())
 }
 
 const LEGEND: &str = "Orange is missed and should be hit, blue is hit and should be missed.";
+
+const OF_SHADOWS: &str = "Orange is lit and should be dark, blue is dark and should be lit.";
+
+const NEEDS_DENORMALS: &str =
+    "expected to fail in two f32, on a device that makes denormal numbers 0";
 
 fn document() -> Result<String, std::fmt::Error> {
     let mut text = HEAD.to_string();

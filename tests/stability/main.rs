@@ -15,6 +15,7 @@ mod document;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
+use rayproof::stability::case::NEED_DENORMALS;
 use rayproof::stability::{Case, Station, Tally, catalogue, try_case};
 use rayproof::{Accuracy, Backend, Unwatched};
 
@@ -96,6 +97,9 @@ fn the_gpu_is_as_wrong_as_the_cpu() {
 #[test]
 fn ids_are_those_of_their_families_and_differ() {
     let ids: BTreeSet<&str> = catalogue().map(|case| case.id).collect();
+    for (id, _) in NEED_DENORMALS {
+        assert!(ids.contains(id), "{id}");
+    }
     assert_eq!(ids.len(), catalogue().count());
     for family in rayproof::stability::FAMILIES {
         for case in family.cases() {

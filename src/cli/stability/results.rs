@@ -19,6 +19,9 @@ pub(super) struct Results {
 /// How a case came out in a tier on a backend.
 #[derive(Serialize)]
 pub(super) struct Row {
+    /// Which of the backends.
+    #[serde(skip)]
+    place: usize,
     id: &'static str,
     name: &'static str,
     tier: Accuracy,
@@ -37,6 +40,9 @@ pub(super) struct Row {
 /// How all cases came out in a tier on a backend.
 #[derive(Serialize)]
 pub(super) struct Sum {
+    /// Which of the backends.
+    #[serde(skip)]
+    place: usize,
     tier: Accuracy,
     backend: &'static str,
     adapter: Option<String>,
@@ -60,9 +66,10 @@ fn adapter_of(backend: &Backend) -> Option<String> {
 }
 
 impl Row {
-    pub(super) fn of(station: &Station<'_>, verdict: &Verdict) -> Self {
+    pub(super) fn of(place: usize, station: &Station<'_>, verdict: &Verdict) -> Self {
         let tally = verdict.tally;
         Self {
+            place,
             id: verdict.case.id,
             name: verdict.case.name,
             tier: station.tier,
@@ -104,9 +111,10 @@ fn short(part: f64) -> String {
 }
 
 impl Sum {
-    pub(super) fn of(station: &Station<'_>) -> Self {
-        let reason = station.backend.lacks(station.tier);
+    pub(super) fn of(place: usize, station: &Station<'_>) -> Self {
+        let reason = station.lacks();
         Self {
+            place,
             tier: station.tier,
             backend: station.backend.name(),
             adapter: adapter_of(station.backend),
@@ -120,7 +128,7 @@ impl Sum {
     }
 
     pub(super) fn is_of(&self, row: &Row) -> bool {
-        (self.tier, self.backend, &self.adapter) == (row.tier, row.backend, &row.adapter)
+        (self.place, self.tier) == (row.place, row.tier)
     }
 
     pub(super) fn add(&mut self, row: &Row) {
@@ -128,10 +136,6 @@ impl Sum {
         self.failed += u32::from(!row.pass && !row.expected);
         self.expected_failures += u32::from(!row.pass && row.expected);
         self.unexpected_passes += u32::from(row.pass && !row.expected);
-    }
-
-    fn place(&self) -> String {
-        place(self.backend, self.adapter.as_deref())
     }
 
     /// Its counts; dashes where the tier is not available.
@@ -150,14 +154,17 @@ impl Sum {
     }
 }
 
-fn place(backend: &str, adapter: Option<&str>) -> String {
-    match adapter {
-        Some(name) => format!("{backend} ({name})"),
-        None => backend.into(),
-    }
-}
-
 impl Results {
+    /// The name of one of the backends.
+    fn name_of(&self, place: usize) -> String {
+        let sum = self.summary.iter().find(|sum| sum.place == place);
+        match sum.map(|sum| (sum.backend, &sum.adapter)) {
+            Some((backend, Some(adapter))) => format!("{backend} ({adapter})"),
+            Some((backend, None)) => backend.into(),
+            None => String::new(),
+        }
+    }
+
     /// Whether everything came out as the catalogue says.
     pub(super) fn are_as_expected(&self) -> bool {
         self.cases.iter().all(|row| row.expected)
@@ -166,16 +173,15 @@ impl Results {
     /// A table for each backend, the sums, and what was not expected.
     pub(super) fn text(&self) -> String {
         let mut text = String::new();
-        let mut places: Vec<String> = self.summary.iter().map(Sum::place).collect();
-        places.dedup();
-        for place in &places {
-            text += &format!("{place}\n{}\n", self.table(place));
+        let places = self.summary.iter().map(|sum| sum.place + 1).max();
+        for place in 0..places.unwrap_or(0) {
+            text += &format!("{}\n{}\n", self.name_of(place), self.table(place));
         }
         text += "Wrong rays, and the worst error in parts of its bound; * fails as expected; \
                  ! not as expected.\n";
-        for place in &places {
-            let of_place = || self.summary.iter().filter(|sum| sum.place() == *place);
-            text += &format!("\n{place}\n");
+        for place in 0..places.unwrap_or(0) {
+            let of_place = || self.summary.iter().filter(|sum| sum.place == place);
+            text += &format!("\n{}\n", self.name_of(place));
             text += &report::columns(
                 [
                     "",
@@ -194,7 +200,7 @@ impl Results {
         }
         text += "\n";
         for row in self.cases.iter().filter(|row| !row.expected) {
-            let place = place(row.backend, row.adapter.as_deref());
+            let place = self.name_of(row.place);
             let tier = row.tier.name();
             let (wrong, rays) = (row.wrong, row.rays);
             text += &format!("! {} in {tier} on {place}: ", row.id);
@@ -215,19 +221,18 @@ impl Results {
     }
 
     /// The cases on one backend, a column for each tier that it has.
-    fn table(&self, of: &str) -> String {
+    fn table(&self, place: usize) -> String {
         let tiers: Vec<Accuracy> = self
             .summary
             .iter()
-            .filter(|sum| sum.available && sum.place() == of)
+            .filter(|sum| sum.available && sum.place == place)
             .map(|sum| sum.tier)
             .collect();
         let mut head = vec!["case".to_string(), "rays".into()];
         // The marks are not what a heading stands over.
         head.extend(tiers.iter().map(|tier| format!("{}  ", tier.name())));
         let mut rows: Vec<Vec<String>> = Vec::new();
-        let own = |row: &&Row| place(row.backend, row.adapter.as_deref()) == of;
-        for row in self.cases.iter().filter(own) {
+        for row in self.cases.iter().filter(|row| row.place == place) {
             if rows.last().is_none_or(|last| last[0] != row.id) {
                 rows.push(vec![row.id.into(), row.rays.to_string()]);
             }
@@ -248,6 +253,7 @@ struct Entry {
     danger: &'static str,
     demands: Vec<String>,
     expected_to_fail: &'static [Accuracy],
+    needs_denormals: &'static [Accuracy],
 }
 
 #[derive(Serialize)]
@@ -264,6 +270,7 @@ pub(super) fn listed(cases: &[&'static Case], as_json: bool) -> String {
         danger: case.danger,
         demands: case.demands.iter().map(|one| one.describe()).collect(),
         expected_to_fail: case.fails,
+        needs_denormals: case.needs_denormals(),
     });
     if as_json {
         let cases = entries.collect();

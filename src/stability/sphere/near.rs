@@ -6,17 +6,19 @@ use super::super::RAYS;
 use super::super::aim::{across, passing, ray};
 use super::super::case::Case;
 use super::super::demand::Demand::{
-    Along, Classified, ClassifiedWithin, Distance, Exact, Own, Residual,
+    Along, Classified, ClassifiedWithin, Distance, Exact, NoSelfHit, Own, Residual,
 };
-use super::super::journeys::{Journeys, Path};
+use super::super::journeys::{Journeys, Path, must};
 use super::super::seen::Seen;
 use super::super::shapes::{flat_of, scene_of, sphere};
+use super::super::together::Together;
 use super::far::impact;
 use super::{ASIDE, aimed, spheres};
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::flat::Flat;
 use crate::kernel::camera::Ray;
+use crate::layout::NO_HIT;
 use crate::paths::Aim;
 use crate::render::Accuracy::Textbook;
 
@@ -170,7 +172,10 @@ pub(super) const LEAVING: Case = Case {
     sets_up: "Rays from 8 radii away that go on from where they hit, in any direction.",
     danger: "A fixed offset of 10^-3 is a thousand radii, and a smallest t of 10^-3 skips the \
              sphere.",
-    demands: &[Own("rays start within 10^-4 radii of the surface")],
+    demands: &[
+        NoSelfHit,
+        Own("rays start within 10^-4 radii of the surface, on the side to which they go"),
+    ],
     trial: |n, _| {
         let radius = 1e-6;
         let flat = spheres([(ASIDE * (8.0 * radius), radius)]);
@@ -179,18 +184,40 @@ pub(super) const LEAVING: Case = Case {
             .map(|_| passing(DVec3::ZERO, center, n.between(0.0, 0.95) * radius, n))
             .collect();
         let onward = rays.iter().map(|_| n.direction().as_vec3().to_array());
-        let aims = onward.map(|onward| Aim::Towards(onward.into())).collect();
-        Ok(Box::new(Journeys {
-            widths: Widths::of(flat, Bounds::None),
-            rays,
-            aims,
+        let aims: Vec<Aim> = onward.map(|onward| Aim::Towards(onward.into())).collect();
+        let widths = || Widths::of(flat.clone(), Bounds::None);
+        let next_to_it = Journeys {
+            widths: widths(),
+            rays: rays.clone(),
+            aims: aims.clone(),
             legs: 1,
             judge: Box::new(move |path: &Path<'_>| {
-                let start = Vec3::from_array(path.end.origin.into()).as_dvec3();
+                let [start, onward] = [path.end.origin, path.end.direction]
+                    .map(|v| Vec3::from_array(v.into()).as_dvec3());
                 let height = start.distance(center) - radius;
+                let is_out = onward.dot(start - center) > 0.0;
+                if is_out != (height > 0.0) {
+                    return (f64::INFINITY, 1e-4);
+                }
                 (height.abs() / radius, 1e-4)
             }),
-        }))
+        };
+        // From outside nothing is met, from within the far side.
+        let not_again = Journeys {
+            widths: widths(),
+            rays,
+            aims,
+            legs: 2,
+            judge: Box::new(move |path: &Path<'_>| {
+                let onward = Vec3::from_array(path.end.direction.into()).as_dvec3();
+                let again = path.found[1];
+                must(again.id == NO_HIT || again.t * onward.length() > 1e-3 * radius)
+            }),
+        };
+        Ok(Box::new(Together(vec![
+            Box::new(next_to_it),
+            Box::new(not_again),
+        ])))
     },
     ..EYE_1_ABOVE
 };
