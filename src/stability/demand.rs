@@ -1,6 +1,7 @@
 //! What a case demands of each ray's answer, and how it is judged.
 
 use super::residual::{reach, residual};
+use super::tally::must;
 use crate::accuracy::BAND;
 use crate::found::Found;
 use crate::kernel::camera::Ray;
@@ -85,7 +86,6 @@ impl Demand {
     /// The error of an answer, and its bound.
     pub fn judge(self, answer: &Answer<'_>, tier: Accuracy) -> (f64, f64) {
         let Answer { truth, found, .. } = answer;
-        let must = |holds: bool| if holds { (0.0, 0.0) } else { (1.0, 0.0) };
         let is_right = found.id == truth.id;
         let is_hit = found.id != NO_HIT;
         match self {

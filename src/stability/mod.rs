@@ -6,29 +6,18 @@
 //! [`Subject`], a tier at a backend, and gives a [`Tally`]. A case that falls short is a
 //! defect, and so is an expected failure that does not fail: the expectation is wrong then.
 //!
-//! Most trials are [`aimed`] rays; [`alike`] ones have two sets of rays with one answer,
-//! [`pictures`] are taken with volumes and without, [`grown`] trees are looked through, and
-//! what a scene check says is asked by [`refused`]. [`together`] makes one of several.
+//! [`trials`] has the kinds of trials; [`shapes`] and [`aim`] are what they are made of; a
+//! [`view`] shows what a case looks like. The families are modules of their own.
 
 pub mod aim;
-pub mod aimed;
-pub mod alike;
+pub mod axes;
 pub mod case;
 pub mod demand;
-pub mod frame;
-pub mod grown;
-pub mod journeys;
-pub mod lit;
-pub mod monotone;
-pub mod odd_rays;
-pub mod pictures;
-pub mod refused;
 pub mod residual;
-pub mod seen;
 pub mod shapes;
 pub mod subject;
 pub mod tally;
-pub mod together;
+pub mod trials;
 pub mod view;
 
 mod arithmetic;

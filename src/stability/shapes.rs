@@ -8,6 +8,12 @@ use crate::flat::Flat;
 use crate::flatten::flatten;
 use crate::scene::{Geometry, Material, Mesh, Scene, Shape, Transform};
 
+/// A unit vector along no axis.
+pub const ASIDE: DVec3 = DVec3::new(0.36, 0.48, -0.8);
+
+/// Another one, on the other side.
+pub const ASKEW: DVec3 = DVec3::new(0.48, 0.64, 0.6);
+
 /// White shapes in light from everywhere, the camera at the origin.
 pub fn scene_of(shapes: impl IntoIterator<Item = Geometry>) -> Scene {
     let shape = |geometry| Shape {

@@ -1,6 +1,6 @@
 //! What a case is tried on.
 
-use super::grown::kind_of;
+use super::trials::grown::kind_of;
 use crate::accuracy::Widths;
 use crate::bounds::tree::{Tree, build};
 use crate::error::Result;

@@ -41,6 +41,11 @@ impl Tally {
     }
 }
 
+/// What holds or does not, as an error of which none is allowed.
+pub fn must(holds: bool) -> (f64, f64) {
+    (f64::from(u8::from(!holds)), 0.0)
+}
+
 /// An error in parts of its bound: infinite where none is allowed.
 fn part(error: f64, bound: f64) -> f64 {
     if error == 0.0 {

@@ -9,10 +9,10 @@ use crate::kernel::aabb::Aabb;
 use crate::random::Numbers;
 use crate::scene::Geometry;
 use crate::stability::aim::{a_vertex, ray, ray_to, step};
-use crate::stability::aimed::Aimed;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, BruteForce, Classified};
 use crate::stability::shapes::{disk, flat_of, scene_of, sphere, triangle};
+use crate::stability::trials::aimed::Aimed;
 use crate::tier::Accuracy::Textbook;
 use crate::tier::Textbook as Unpadded;
 

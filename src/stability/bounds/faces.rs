@@ -10,12 +10,12 @@ use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::scene::mesh::{Builtin, build};
 use crate::stability::aim::{ray, ray_to};
-use crate::stability::aimed::Aimed;
-use crate::stability::alike::Alike;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, BruteForce, Classified, Exact, Same};
 use crate::stability::shapes::{flat_of, mesh, scene_of, triangle};
-use crate::stability::together::Together;
+use crate::stability::trials::aimed::Aimed;
+use crate::stability::trials::alike::Alike;
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[

@@ -8,11 +8,11 @@ use crate::kernel::aabb::Aabb;
 use crate::kernel::vector::vec3;
 use crate::random::Numbers;
 use crate::stability::aim::{on_an_edge, passing, ray_to};
-use crate::stability::aimed::Aimed;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, BruteForce, Classified, Exact, Own};
-use crate::stability::grown::Grown;
 use crate::stability::shapes::{flat_of, scene_of, sphere, triangle};
+use crate::stability::trials::aimed::Aimed;
+use crate::stability::trials::grown::Grown;
 use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[

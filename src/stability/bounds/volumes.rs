@@ -11,9 +11,9 @@ use crate::scene::{Mesh, Scene};
 use crate::stability::aim::across;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::BruteForce;
-use crate::stability::pictures::Pictures;
 use crate::stability::shapes::{flat_of, mesh, scene_of};
-use crate::stability::together::Together;
+use crate::stability::trials::pictures::Pictures;
+use crate::stability::trials::together::Together;
 
 pub(super) const CASES: &[Case] = &[
     Case {

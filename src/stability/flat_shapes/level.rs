@@ -2,18 +2,19 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::{across, ray};
-use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{self, Classified, Distance, Exact, Finite, Residual};
-use super::super::shapes::{disk, plane};
-use super::super::together::Together;
-use super::{aimed, rounded};
+use super::rounded;
 use crate::error::Result;
 use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::render::Accuracy::Textbook;
 use crate::scene::Geometry;
+use crate::stability::RAYS;
+use crate::stability::aim::{across, ray};
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{self, Classified, Distance, Exact, Finite, Residual};
+use crate::stability::shapes::{disk, plane};
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::together::Together;
 
 /// The normal of the oblique planes. Rounded, it is the f32 nearest 1/3 times these.
 const OBLIQUE: DVec3 = DVec3::new(1.0, 2.0, 2.0);

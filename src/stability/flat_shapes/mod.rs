@@ -4,14 +4,9 @@ mod level;
 mod placed;
 mod rim;
 
-use super::aimed::Aimed;
-use super::case::{Family, Trial};
-use super::demand::Demand;
+use super::case::Family;
 use super::shapes::{flat_of, scene_of};
-use crate::bounds::Bounds;
-use crate::error::Result;
 use crate::flat::Flat;
-use crate::kernel::camera::Ray;
 use crate::scene::Geometry;
 
 /// Planes and disks.
@@ -44,9 +39,4 @@ pub const FAMILY: Family = Family {
 /// Shapes, rounded, that stand where the camera is the origin.
 fn rounded(shapes: impl IntoIterator<Item = Geometry>) -> Flat<f64> {
     flat_of(&scene_of(shapes))
-}
-
-/// Rays at the shapes, by way of no tree.
-fn aimed(flat: Flat<f64>, rays: Vec<Ray<f32>>, demands: &[Demand]) -> Result<Box<dyn Trial>> {
-    Ok(Box::new(Aimed::new(flat, Bounds::None, rays, demands)?))
 }

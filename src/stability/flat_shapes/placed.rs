@@ -2,14 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::{across, ray, ray_to};
-use super::super::aimed::Aimed;
-use super::super::alike::Alike;
-use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{BruteForce, ClassifiedWithin, Distance, Exact, Residual, Same};
-use super::super::shapes::{disk, plane};
-use super::{aimed, rounded};
+use super::rounded;
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::error::Result;
@@ -17,9 +10,16 @@ use crate::flat::Flat;
 use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::render::Accuracy::Textbook;
-
-/// Along no axis.
-const ASKEW: DVec3 = DVec3::new(0.48, 0.64, 0.6);
+use crate::stability::RAYS;
+use crate::stability::aim::{across, ray, ray_to};
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{
+    BruteForce, ClassifiedWithin, Distance, Exact, Residual, Same,
+};
+use crate::stability::shapes::{ASKEW, disk, plane};
+use crate::stability::trials::aimed::Aimed;
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::alike::Alike;
 
 // The start is at most 4 heights from the plane's point: 4 u |n| |p - o| is 16 u of the height.
 // The slope is at least 0.3 |n| |d|: 3 u |n| |d| is 10 u of it. The quotient takes another.

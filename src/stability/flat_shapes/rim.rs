@@ -2,19 +2,17 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::{across, ray, ray_to, step};
-use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{self, Classified, ClassifiedClearly, Exact, Residual};
-use super::super::shapes::disk;
-use super::super::together::Together;
-use super::{aimed, rounded};
+use super::rounded;
 use crate::error::Result;
 use crate::random::Numbers;
 use crate::render::Accuracy::{Robust, Textbook};
-
-/// Along no axis.
-const ASKEW: DVec3 = DVec3::new(0.48, 0.64, 0.6);
+use crate::stability::RAYS;
+use crate::stability::aim::{across, ray, ray_to, step};
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{self, Classified, ClassifiedClearly, Exact, Residual};
+use crate::stability::shapes::{ASKEW, disk};
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::together::Together;
 
 pub(super) const EXACT: Case = Case {
     id: "flat/rim",

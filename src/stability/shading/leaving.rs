@@ -17,9 +17,10 @@ use crate::stability::RAYS;
 use crate::stability::aim::ray_to;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{NoLeak, NoSelfHit, Own};
-use crate::stability::journeys::{Journeys, Path, must};
-use crate::stability::shapes::{disk, flat_of, mesh, plane, scene_of, sphere};
-use crate::stability::together::Together;
+use crate::stability::shapes::{ASIDE, disk, flat_of, mesh, plane, scene_of, sphere};
+use crate::stability::tally::must;
+use crate::stability::trials::journeys::{Journeys, Path};
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[
@@ -75,9 +76,6 @@ pub(super) const CASES: &[Case] = &[
 
 /// From a ten-thousandth of a millimetre to a thousand kilometres, if 1 is a metre.
 const SIZES: [f64; 7] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6];
-
-/// Along no axis.
-const ASIDE: DVec3 = DVec3::new(0.36, 0.48, -0.8);
 
 /// Below this, roundings of a normal may tell on which side of the surface a ray goes.
 const LEAST_SLOPE: f64 = 1e-5;

@@ -16,10 +16,11 @@ use crate::scene::{Falloff, Geometry, Light, PixelSampling, Scene};
 use crate::stability::aim::{across, ray_to};
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{Finite, Own};
-use crate::stability::journeys::{Journeys, Path, must};
-use crate::stability::lit::Dark;
 use crate::stability::shapes::{disk, flat_of, mesh, plane, scene_of, sphere};
-use crate::stability::together::Together;
+use crate::stability::tally::must;
+use crate::stability::trials::journeys::{Journeys, Path};
+use crate::stability::trials::lit::Dark;
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 const DARK: &str = "no light at all";

@@ -12,8 +12,9 @@ use crate::random::Numbers;
 use crate::stability::aim::ray;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::Own;
-use crate::stability::journeys::{Journeys, Path, must};
 use crate::stability::shapes::{disk, flat_of, scene_of};
+use crate::stability::tally::must;
+use crate::stability::trials::journeys::{Journeys, Path};
 use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[

@@ -12,9 +12,9 @@ use crate::random::Numbers;
 use crate::stability::aim::{ray, step};
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{Finite, Own};
-use crate::stability::journeys::{Journeys, Path};
 use crate::stability::shapes::{disk, flat_of, scene_of};
-use crate::stability::together::Together;
+use crate::stability::trials::journeys::{Journeys, Path};
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 const UNIT: &str = "what goes on is of length 1, to 4 u";

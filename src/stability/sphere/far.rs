@@ -2,18 +2,19 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::passing;
-use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{
-    self, Classified, ClassifiedClearly, ClassifiedWithin, Own, Residual,
-};
-use super::super::seen::Seen;
-use super::super::shapes::{flat_of, scene_of, sphere};
-use super::{ASIDE, aimed, spheres};
+use super::spheres;
 use crate::error::Result;
 use crate::random::Numbers;
 use crate::render::Accuracy::{Robust, Textbook};
+use crate::stability::RAYS;
+use crate::stability::aim::passing;
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{
+    self, Classified, ClassifiedClearly, ClassifiedWithin, Own, Residual,
+};
+use crate::stability::shapes::{ASIDE, flat_of, scene_of, sphere};
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::seen::Seen;
 
 const RAYS_AT_IT: &str =
     "Rays from the camera, half of them past the centre at 0 to 1.05 radii, half at the rim.";

@@ -8,14 +8,9 @@ mod touched;
 
 use glam::DVec3;
 
-use super::aimed::Aimed;
-use super::case::{Family, Trial};
-use super::demand::Demand;
+use super::case::Family;
 use super::shapes::{flat_of, scene_of, sphere};
-use crate::bounds::Bounds;
-use crate::error::Result;
 use crate::flat::Flat;
-use crate::kernel::camera::Ray;
 
 /// Spheres.
 pub const FAMILY: Family = Family {
@@ -61,18 +56,10 @@ pub const FAMILY: Family = Family {
     ]],
 };
 
-/// Along no axis, and of length 1.
-const ASIDE: DVec3 = DVec3::new(0.36, 0.48, -0.8);
-
 /// Spheres, rounded, that stand where the camera is the origin.
 fn spheres(of: impl IntoIterator<Item = (DVec3, f64)>) -> Flat<f64> {
     let shapes = of
         .into_iter()
         .map(|(center, radius)| sphere(center, radius));
     flat_of(&scene_of(shapes))
-}
-
-/// Rays at the shapes, by way of no tree.
-fn aimed(flat: Flat<f64>, rays: Vec<Ray<f32>>, demands: &[Demand]) -> Result<Box<dyn Trial>> {
-    Ok(Box::new(Aimed::new(flat, Bounds::None, rays, demands)?))
 }

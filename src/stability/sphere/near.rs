@@ -2,18 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use super::super::RAYS;
-use super::super::aim::{across, passing, ray};
-use super::super::case::Case;
-use super::super::demand::Demand::{
-    Along, Classified, ClassifiedWithin, Distance, Exact, NoSelfHit, Own, Residual,
-};
-use super::super::journeys::{Journeys, Path, must};
-use super::super::seen::Seen;
-use super::super::shapes::{flat_of, scene_of, sphere};
-use super::super::together::Together;
 use super::far::impact;
-use super::{ASIDE, aimed, spheres};
+use super::spheres;
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::flat::Flat;
@@ -21,6 +11,18 @@ use crate::kernel::camera::Ray;
 use crate::layout::NO_HIT;
 use crate::paths::Aim;
 use crate::render::Accuracy::Textbook;
+use crate::stability::RAYS;
+use crate::stability::aim::{across, passing, ray};
+use crate::stability::case::Case;
+use crate::stability::demand::Demand::{
+    Along, Classified, ClassifiedWithin, Distance, Exact, NoSelfHit, Own, Residual,
+};
+use crate::stability::shapes::{ASIDE, flat_of, scene_of, sphere};
+use crate::stability::tally::must;
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::journeys::{Journeys, Path};
+use crate::stability::trials::seen::Seen;
+use crate::stability::trials::together::Together;
 
 // Within 60 degrees of straight down b is off by 6 u. b^2 - a c, over a and times a, takes 16 u
 // and its root 9; q = b + root is off by 8.5 u, c = the power by 1 u, and the quotient by one.

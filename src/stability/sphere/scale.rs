@@ -2,14 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::{passing, ray};
-use super::super::alike::Alike;
-use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{self, Classified, Finite, Refused, Residual, Same};
-use super::super::refused;
-use super::super::shapes::{plane, scene_of, sphere};
-use super::{ASIDE, aimed, spheres};
+use super::spheres;
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::error::Result;
@@ -17,6 +10,14 @@ use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::render::Accuracy::Textbook;
 use crate::scene::Scene;
+use crate::stability::RAYS;
+use crate::stability::aim::{passing, ray};
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{self, Classified, Finite, Refused, Residual, Same};
+use crate::stability::shapes::{ASIDE, plane, scene_of, sphere};
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::alike::Alike;
+use crate::stability::trials::refused;
 
 pub(super) const DIRECTION_1E10: Case = Case {
     id: "sphere/direction-1e10",

@@ -2,15 +2,17 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::{across, ray};
-use super::super::case::{Case, Trial};
-use super::super::demand::Demand::{self, Along, Distance, Exact, Finite};
-use super::super::frame::frame;
-use super::super::together::Together;
-use super::{ASIDE, aimed, spheres};
+use super::spheres;
 use crate::error::Result;
 use crate::random::Numbers;
+use crate::stability::RAYS;
+use crate::stability::aim::{across, ray};
+use crate::stability::axes::frame;
+use crate::stability::case::{Case, Trial};
+use crate::stability::demand::Demand::{self, Along, Distance, Exact, Finite};
+use crate::stability::shapes::ASIDE;
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::together::Together;
 
 /// Where the sphere stands that integer rays start from, of radius 15.
 const CENTER: DVec3 = DVec3::new(5.0, 10.0, -10.0);

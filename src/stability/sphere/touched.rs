@@ -2,20 +2,22 @@
 
 use glam::DVec3;
 
-use super::super::RAYS;
-use super::super::aim::{across, passing, ray, ray_to, step};
-use super::super::aimed::Aimed;
-use super::super::case::Case;
-use super::super::demand::Demand::{BruteForce, Classified, Exact, Own, Residual};
-use super::super::frame::frame;
-use super::super::monotone::Monotone;
-use super::super::together::Together;
-use super::{ASIDE, aimed, spheres};
+use super::spheres;
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::render::Accuracy::Textbook;
+use crate::stability::RAYS;
+use crate::stability::aim::{across, passing, ray, ray_to, step};
+use crate::stability::axes::frame;
+use crate::stability::case::Case;
+use crate::stability::demand::Demand::{BruteForce, Classified, Exact, Own, Residual};
+use crate::stability::shapes::ASIDE;
+use crate::stability::trials::aimed::Aimed;
+use crate::stability::trials::aimed::aimed;
+use crate::stability::trials::monotone::Monotone;
+use crate::stability::trials::together::Together;
 
 /// Where the sphere stands that integer rays touch, of radius 15.
 const CENTER: DVec3 = DVec3::new(20.0, -30.0, -100.0);

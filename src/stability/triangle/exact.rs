@@ -9,11 +9,11 @@ use crate::random::Numbers;
 use crate::scene::mesh::{Builtin, build};
 use crate::scene::{Geometry, Mesh};
 use crate::stability::aim::{any_corners, ray};
-use crate::stability::aimed::Aimed;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, BruteForce, Classified, Exact, Finite, NoLeak};
 use crate::stability::shapes::{flat_of, mesh, scene_of, triangle};
-use crate::stability::together::Together;
+use crate::stability::trials::aimed::Aimed;
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::{Robust, Textbook};
 
 pub(super) const CASES: &[Case] = &[

@@ -11,10 +11,10 @@ use crate::scene::Mesh;
 use crate::scene::mesh::{Builtin, build};
 use crate::stability::RAYS;
 use crate::stability::aim::{a_vertex, on_an_edge, ray_to};
-use crate::stability::aimed::Aimed;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, Classified, NoLeak, Residual};
 use crate::stability::shapes::{flat_of, mesh, scene_of};
+use crate::stability::trials::aimed::Aimed;
 use crate::tier::Accuracy::{Adaptive, Double, Extended, Textbook};
 
 pub(super) const CASES: &[Case] = &[

@@ -13,12 +13,12 @@ use crate::random::Numbers;
 use crate::scene::mesh::{Builtin, build};
 use crate::scene::{Geometry, Mesh, Scene};
 use crate::stability::aim::{across, on_an_edge, ray_to};
-use crate::stability::alike::Alike;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, Same};
-use crate::stability::refused::Refused;
 use crate::stability::shapes::{flat_of, scene_of, triangle};
-use crate::stability::together::Together;
+use crate::stability::trials::alike::Alike;
+use crate::stability::trials::refused::Refused;
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 /// Of t with corners in another order: the sum of the weights, a quotient each, the dot

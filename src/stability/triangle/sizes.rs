@@ -10,13 +10,13 @@ use crate::kernel::camera::Ray;
 use crate::random::Numbers;
 use crate::scene::mesh::{Builtin, build};
 use crate::stability::aim::{on_an_edge, ray, ray_to};
-use crate::stability::aimed::Aimed;
-use crate::stability::alike::Alike;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, Classified, Exact, Finite, Residual, Same};
-use crate::stability::refused::Refused;
 use crate::stability::shapes::{flat_of, mesh, scene_of, triangle};
-use crate::stability::together::Together;
+use crate::stability::trials::aimed::Aimed;
+use crate::stability::trials::alike::Alike;
+use crate::stability::trials::refused::Refused;
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[

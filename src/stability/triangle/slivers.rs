@@ -8,10 +8,10 @@ use crate::error::Result;
 use crate::random::Numbers;
 use crate::scene::Mesh;
 use crate::stability::aim::{across, ray, ray_to};
-use crate::stability::aimed::Aimed;
 use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, Classified, Exact, Finite, Residual};
 use crate::stability::shapes::{flat_of, mesh, scene_of, triangle};
+use crate::stability::trials::aimed::Aimed;
 use crate::tier::Accuracy::{Double, Extended, Robust, Textbook};
 
 pub(super) const CASES: &[Case] = &[

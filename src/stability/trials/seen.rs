@@ -2,10 +2,6 @@
 
 use glam::DVec3;
 
-use super::case::Trial;
-use super::demand::unit_of;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::truth::{Truths, exact_rays};
 use crate::accuracy::{BAND, Widths};
 use crate::bounds::Bounds;
@@ -13,6 +9,10 @@ use crate::error::Result;
 use crate::flat::Flat;
 use crate::layout::NO_HIT;
 use crate::oracle::Truth;
+use crate::stability::case::Trial;
+use crate::stability::demand::unit_of;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 use crate::tier::Accuracy;
 use crate::watch::Unwatched;
 
@@ -56,7 +56,7 @@ impl Trial for Seen {
         for (pixel, truth) in on.picture(&self.widths)?.iter().zip(&self.truths) {
             if pixel.id == NO_HIT {
                 let is_clear = truth.id != NO_HIT && truth.margin > BAND + OF_A_RAY;
-                tally.count([(f64::from(u8::from(is_clear)), 0.0)]);
+                tally.count([must(!is_clear)]);
                 continue;
             }
             let vector = |v: [f32; 3]| DVec3::from(v.map(f64::from));

@@ -1,9 +1,9 @@
 //! Several trials as one, of scenes that differ in what may not be in one scene.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::error::Result;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::Tally;
 
 /// Trials that count as one.
 pub struct Together(pub Vec<Box<dyn Trial>>);

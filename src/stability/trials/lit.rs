@@ -1,11 +1,11 @@
 //! Pictures of which the light is known.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::error::Result;
 use crate::layout::{NO_HIT, Pixel};
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// A scene that must be dark all over: its lights are behind what is seen, or in its plane.
 pub struct Dark(pub Widths);
@@ -18,7 +18,7 @@ impl Trial for Dark {
             let light = color
                 .into_iter()
                 .fold(0.0, |sum, c| sum + f64::from(c).abs());
-            let is_seen = (f64::from(u8::from(id == NO_HIT)), 0.0);
+            let is_seen = must(id != NO_HIT);
             tally.count([(light, 0.0), is_seen]);
         }
         Ok(tally)

@@ -1,12 +1,12 @@
 //! A picture with volumes and one without: they must be the same.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::bounds::Bounds;
 use crate::error::Result;
 use crate::flat::Flat;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// A scene with volumes and without.
 pub struct Pictures {
@@ -30,7 +30,7 @@ impl Trial for Pictures {
         let [bounded, by_force] = [on.picture(&self.bounded)?, on.picture(&self.by_force)?];
         for (with, without) in bounded.iter().zip(&by_force) {
             let is_same = with.id == without.id && with.depth.to_bits() == without.depth.to_bits();
-            tally.count([(f64::from(u8::from(!is_same)), 0.0)]);
+            tally.count([must(is_same)]);
         }
         Ok(tally)
     }

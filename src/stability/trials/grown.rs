@@ -1,12 +1,12 @@
 //! Trees over boxes that no shape has: they are grown, and hold what they should.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::bounds::validate;
 use crate::error::Result;
 use crate::flat::Kind;
 use crate::kernel::aabb::Aabb;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// Lists of boxes, each for a tree.
 pub struct Grown(pub Vec<Vec<Aabb>>);
@@ -27,7 +27,7 @@ impl Trial for Grown {
             let items: Vec<(Aabb, u32)> = boxes.iter().copied().zip(0..).collect();
             let tree = on.grow(items.clone());
             let is_broken = validate(&tree, &items, &kind_of).is_err();
-            tally.count([(f64::from(u8::from(is_broken)), 0.0)]);
+            tally.count([must(!is_broken)]);
         }
         Ok(tally)
     }

@@ -1,13 +1,13 @@
 //! Paths: rays that go on from the surfaces that they meet, and what is demanded of them.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::error::Result;
 use crate::found::Found;
 use crate::kernel::camera::Ray;
 use crate::paths::Aim;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::Tally;
 
 /// A path that was followed: its first ray, what its legs found, and the ray after the last.
 pub struct Path<'a> {
@@ -51,9 +51,4 @@ impl Trial for Journeys {
         }
         Ok(tally)
     }
-}
-
-/// What holds or does not, as an error.
-pub fn must(holds: bool) -> (f64, f64) {
-    (f64::from(u8::from(!holds)), 0.0)
 }

@@ -2,13 +2,13 @@
 
 use std::time::Instant;
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::error::Result;
 use crate::kernel::camera::Ray;
 use crate::layout::NO_HIT;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// Rays through a scene that must meet nothing.
 pub struct MeetNothing {
@@ -22,7 +22,7 @@ impl Trial for MeetNothing {
     fn run(&self, on: &dyn Subject) -> Result<Tally> {
         let mut tally = Tally::default();
         for found in on.trace_rays(&self.widths, &self.rays)? {
-            tally.count([(f64::from(u8::from(found.id != NO_HIT)), 0.0)]);
+            tally.count([must(found.id == NO_HIT)]);
         }
         Ok(tally)
     }

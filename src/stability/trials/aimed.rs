@@ -1,9 +1,5 @@
 //! Rays through a scene, each held to the exact answer.
 
-use super::case::Trial;
-use super::demand::{Answer, Demand};
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::{Truths, Widths};
 use crate::bounds::Bounds;
 use crate::error::Result;
@@ -11,6 +7,10 @@ use crate::flat::Flat;
 use crate::kernel::camera::Ray;
 use crate::layout::NO_HIT;
 use crate::oracle::{Oracle, ShapeKind, Truth};
+use crate::stability::case::Trial;
+use crate::stability::demand::{Answer, Demand};
+use crate::stability::subject::Subject;
+use crate::stability::tally::Tally;
 use crate::watch::Unwatched;
 
 /// Rays through a scene, with the exact answers.
@@ -48,6 +48,15 @@ impl Aimed {
             demands: demands.to_vec(),
         })
     }
+}
+
+/// Through a scene whose numbers are those of f32, by brute force.
+///
+/// # Errors
+///
+/// As [`Aimed::new`].
+pub fn aimed(flat: Flat<f64>, rays: Vec<Ray<f32>>, demands: &[Demand]) -> Result<Box<dyn Trial>> {
+    Ok(Box::new(Aimed::new(flat, Bounds::None, rays, demands)?))
 }
 
 impl Trial for Aimed {

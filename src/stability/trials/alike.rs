@@ -1,13 +1,13 @@
 //! Two sets of rays with one answer: what was changed must not matter.
 
-use super::case::Trial;
-use super::demand::unit_of;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::error::Result;
 use crate::kernel::camera::Ray;
 use crate::layout::NO_HIT;
+use crate::stability::case::Trial;
+use crate::stability::demand::unit_of;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// Two scenes, a list of rays through each.
 pub struct Alike {
@@ -27,7 +27,7 @@ impl Trial for Alike {
         let mut tally = Tally::default();
         let pairs = trace(&self.left)?.into_iter().zip(trace(&self.right)?);
         for ((left, right), scale) in pairs.zip(&self.scale) {
-            let id_error = (f64::from(u8::from(left.id != right.id)), 0.0);
+            let id_error = must(left.id == right.id);
             let is_hit = left.id != NO_HIT && left.id == right.id;
             let expected = left.t * scale;
             let off = (right.t - expected).abs() / (unit_of(on.tier()) * expected);

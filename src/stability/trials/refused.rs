@@ -1,10 +1,10 @@
 //! Scenes that have no meaning: they are refused when they are loaded, before any ray.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::error::Result;
 use crate::scene::Scene;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// Scenes, and a word that the reason for the refusal has to hold.
 pub struct Refused(pub Vec<(Scene, &'static str)>);
@@ -17,7 +17,7 @@ impl Trial for Refused {
                 Ok(()) => false,
                 Err(error) => error.to_string().contains(reason),
             };
-            tally.count([(f64::from(u8::from(!is_told)), 0.0)]);
+            tally.count([must(is_told)]);
         }
         Ok(tally)
     }

@@ -1,12 +1,12 @@
 //! A shape that grows: a ray that met it goes on meeting it, and no later.
 
-use super::case::Trial;
-use super::subject::Subject;
-use super::tally::Tally;
 use crate::accuracy::Widths;
 use crate::error::Result;
 use crate::found::Found;
 use crate::kernel::camera::Ray;
+use crate::stability::case::Trial;
+use crate::stability::subject::Subject;
+use crate::stability::tally::{Tally, must};
 
 /// Scenes of one shape, each with a larger one than the one before, and rays through all of
 /// them.
@@ -26,7 +26,7 @@ impl Trial for Monotone {
             // A miss is at infinity.
             let falls = |pair: &[Vec<Found>]| pair[1][ray].t <= pair[0][ray].t;
             let is_monotone = found.windows(2).all(falls);
-            tally.count([(f64::from(u8::from(!is_monotone)), 0.0)]);
+            tally.count([must(is_monotone)]);
         }
         Ok(tally)
     }
