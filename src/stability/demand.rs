@@ -83,12 +83,12 @@ pub struct Answer<'a> {
 }
 
 impl Demand {
-    /// The error of an answer, and its bound.
-    pub fn judge(self, answer: &Answer<'_>, tier: Accuracy) -> (f64, f64) {
+    /// The error of an answer, and its bound; none where the demand is not one on answers.
+    pub fn judge(self, answer: &Answer<'_>, tier: Accuracy) -> Option<(f64, f64)> {
         let Answer { truth, found, .. } = answer;
         let is_right = found.id == truth.id;
         let is_hit = found.id != NO_HIT;
-        match self {
+        Some(match self {
             Self::Classified if is_right => (0.0, band_of(tier)),
             Self::Classified => (truth.margin, band_of(tier)),
             Self::ClassifiedClearly if is_right => (0.0, CLEAR),
@@ -124,10 +124,8 @@ impl Demand {
             Self::BruteForce => must(answer.by_force.is_none_or(|by_force| {
                 by_force.id == found.id && by_force.t.to_bits() == found.t.to_bits()
             })),
-            Self::NoSelfHit | Self::Same(_) | Self::Refused | Self::Own(_) => {
-                unreachable!("a trial of another kind judges it")
-            }
-        }
+            Self::NoSelfHit | Self::Same(_) | Self::Refused | Self::Own(_) => return None,
+        })
     }
 
     /// The demand for people.

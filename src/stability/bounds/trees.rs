@@ -13,6 +13,7 @@ use crate::stability::demand::Demand::{self, BruteForce, Classified, Exact, Own}
 use crate::stability::shapes::{flat_of, scene_of, sphere, triangle};
 use crate::stability::trials::aimed::Aimed;
 use crate::stability::trials::grown::Grown;
+use crate::stability::trials::together::Together;
 use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[
@@ -35,7 +36,11 @@ pub(super) const CASES: &[Case] = &[
         name: "10,000 spheres around one point",
         sets_up: "Concentric spheres of radius 1 to 2, and rays at them.",
         danger: "No plane parts their middles: a leaf of 10,000, or a path as deep.",
-        demands: &[Classified, BruteForce],
+        demands: &[
+            Classified,
+            BruteForce,
+            Own("no path of the tree is deeper than the stack"),
+        ],
         fails: &[],
         is_random: true,
         trial: equal_centroids,
@@ -115,7 +120,15 @@ fn equal_centroids(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dy
             passing(from, middle, impact, n)
         })
         .collect();
-    Ok(Box::new(Aimed::new(flat, Bounds::Tree, rays, demands)?))
+    let boxes = (0..COUNT).map(|index| {
+        let [low, high] = [-1.0, 1.0].map(|side| middle + DVec3::splat(side * radius(index)));
+        let [low, high] = [low, high].map(|corner| corner.as_vec3().to_array().into());
+        Aabb { low, high }
+    });
+    Ok(Box::new(Together(vec![
+        Box::new(Grown(vec![boxes.collect()])),
+        Box::new(Aimed::new(flat, Bounds::Tree, rays, demands)?),
+    ])))
 }
 
 fn equal_shapes(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Trial>> {

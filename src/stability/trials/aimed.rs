@@ -82,7 +82,7 @@ impl Trial for Aimed {
             tally.count(
                 self.demands
                     .iter()
-                    .map(|demand| demand.judge(&answer, on.tier())),
+                    .filter_map(|demand| demand.judge(&answer, on.tier())),
             );
         }
         Ok(tally)
