@@ -4,7 +4,7 @@
 use super::camera::Ray;
 use super::divide::divide;
 use super::real::{Real, constant};
-use super::vector::{Vec3, cross_product, dot_product, tame_vector, unit_vector, vec3};
+use super::vector::{Vec3, cross_product, tame_vector, unit_vector, vec3};
 use crate::layout::Triangle;
 
 /// What the test needs of a ray, computed once for all triangles: the space in

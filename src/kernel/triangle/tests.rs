@@ -5,6 +5,7 @@ use glam::DVec3;
 
 use super::*;
 use crate::kernel::two_float::TwoFloat;
+use crate::kernel::vector::dot_product;
 use crate::oracle::shape::Shape;
 use crate::random::Numbers;
 use crate::stability::demand::unit_of;
