@@ -77,21 +77,32 @@ fn passes_between(seen: Seen) -> bool {
 }
 
 // The corner that the vertical through the ray parts from the two others: 0, 1 or 2. Corners
-// on the vertical go to the left, unless that leaves none to the right.
+// on the vertical go to the left, unless that leaves none to the right; so do those that are
+// right of it by less than a normal number.
 fn lone_corner(x: vec3<real>) -> u32 {
-    let some = x.x > 0.0 || x.y > 0.0 || x.z > 0.0;
-    let a = x.x > 0.0 || (!some && x.x == 0.0);
-    let b = x.y > 0.0 || (!some && x.y == 0.0);
-    let c = x.z > 0.0 || (!some && x.z == 0.0);
+    let xy = select(x.y, x.x, x.x > x.y);
+    let rightmost = select(x.z, xy, xy > x.z);
+    let least: real = 1.1754943508222875e-38;
+    let limit = select(least, rightmost, rightmost < least);
+    let a = x.x >= limit;
+    let b = x.y >= limit;
+    let c = x.z >= limit;
     return select(select(0u, 1u, a == c), 2u, a == b);
 }
 
-// The corners, the lone one last.
-fn lone_last(seen: Seen, lone: u32) -> Seen {
+// A number of each corner, that of one exchanged with the last.
+fn exchanged(v: vec3<real>, corner: u32) -> vec3<real> {
+    let x = select(v.x, v.z, corner == 0u);
+    let y = select(v.y, v.z, corner == 1u);
+    return vec3<real>(x, y, select(select(v.z, v.y, corner == 1u), v.x, corner == 0u));
+}
+
+// The corners, one exchanged with the last.
+fn with_last(seen: Seen, corner: u32) -> Seen {
     return Seen(
-        axis_last(seen.x, lone),
-        axis_last(seen.y, lone),
-        axis_last(seen.along, lone),
+        exchanged(seen.x, corner),
+        exchanged(seen.y, corner),
+        exchanged(seen.along, corner),
     );
 }
 
@@ -120,9 +131,9 @@ fn weights_between(seen: Seen) -> vec3<real> {
 // How far along the shear's axis the ray meets the triangle, if it passes between the corners:
 // exactly, where all three are as far.
 fn depth_between(seen: Seen) -> real {
-    let turned = lone_last(seen, lone_corner(seen.x));
-    let weights = weights_between(turned);
-    let along = turned.along;
+    let lone_last = with_last(seen, lone_corner(seen.x));
+    let weights = weights_between(lone_last);
+    let along = lone_last.along;
     return along.z + (weights.x * (along.x - along.z) + weights.y * (along.y - along.z));
 }
 
@@ -144,9 +155,7 @@ fn intersect_triangle(ray: Ray, shear: Shear, triangle: Triangle) -> real {
 fn triangle_weights(ray: Ray, triangle: Triangle) -> vec3<real> {
     let seen = seen_corners(ray, shear_of(ray), triangle);
     let lone = lone_corner(seen.x);
-    let weights = weights_between(lone_last(seen, lone));
-    // Turned back.
-    return axis_last(weights, select(1u - lone, 2u, lone == 2u));
+    return exchanged(weights_between(with_last(seen, lone)), lone);
 }
 
 // The point of the triangle with these weights.

@@ -103,25 +103,37 @@ pub fn passes_between<R: Real>(seen: Seen<R>) -> bool {
 }
 
 /// The corner that the vertical through the ray parts from the two others: 0, 1 or 2. Corners
-/// on the vertical go to the left, unless that leaves none to the right.
+/// on the vertical go to the left, unless that leaves none to the right; so do those that are
+/// right of it by less than a normal number.
 fn lone_corner<R: Real>(x: Vec3<R>) -> u32 {
-    let some = x.x > R::ZERO || x.y > R::ZERO || x.z > R::ZERO;
-    let a = x.x > R::ZERO || (!some && x.x == R::ZERO);
-    let b = x.y > R::ZERO || (!some && x.y == R::ZERO);
-    let c = x.z > R::ZERO || (!some && x.z == R::ZERO);
+    let xy = if x.x > x.y { x.x } else { x.y };
+    let rightmost = if xy > x.z { xy } else { x.z };
+    let least = constant(f32::MIN_POSITIVE);
+    let limit = if rightmost < least { rightmost } else { least };
+    let [a, b, c] = [x.x >= limit, x.y >= limit, x.z >= limit];
     if a == b {
         return 2;
     }
     if a == c { 1 } else { 0 }
 }
 
-/// The corners, the lone one last.
+/// A number of each corner, that of one exchanged with the last.
 #[inline]
-pub fn lone_last<R: Real>(seen: Seen<R>, lone: u32) -> Seen<R> {
+fn exchanged<R: Real>(v: Vec3<R>, corner: u32) -> Vec3<R> {
+    match corner {
+        0 => vec3(v.z, v.y, v.x),
+        1 => vec3(v.x, v.z, v.y),
+        _ => v,
+    }
+}
+
+/// The corners, one exchanged with the last.
+#[inline]
+fn with_last<R: Real>(seen: Seen<R>, corner: u32) -> Seen<R> {
     Seen {
-        x: axis_last(seen.x, lone),
-        y: axis_last(seen.y, lone),
-        along: axis_last(seen.along, lone),
+        x: exchanged(seen.x, corner),
+        y: exchanged(seen.y, corner),
+        along: exchanged(seen.along, corner),
     }
 }
 
@@ -152,9 +164,9 @@ fn weights_between<R: Real>(seen: Seen<R>) -> Vec3<R> {
 /// exactly, where all three are as far.
 #[inline]
 pub fn depth_between<R: Real>(seen: Seen<R>) -> R {
-    let turned = lone_last(seen, lone_corner(seen.x));
-    let weights = weights_between(turned);
-    let along = turned.along;
+    let lone_last = with_last(seen, lone_corner(seen.x));
+    let weights = weights_between(lone_last);
+    let along = lone_last.along;
     along.z + (weights.x * (along.x - along.z) + weights.y * (along.y - along.z))
 }
 
@@ -177,9 +189,7 @@ pub fn intersect_triangle<R: Real>(ray: Ray<R>, shear: Shear<R>, triangle: &Tria
 pub fn triangle_weights<R: Real>(ray: Ray<R>, triangle: &Triangle<R>) -> Vec3<R> {
     let seen = seen_corners(ray, shear_of(ray), triangle);
     let lone = lone_corner(seen.x);
-    let weights = weights_between(lone_last(seen, lone));
-    // Turned back.
-    axis_last(weights, if lone == 2 { 2 } else { 1 - lone })
+    exchanged(weights_between(with_last(seen, lone)), lone)
 }
 
 /// The point of the triangle with these weights.

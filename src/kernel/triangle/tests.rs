@@ -228,14 +228,12 @@ fn any_order_of_the_corners_gives_the_same_depth() {
             }
         }
         let lone = lone_corner(seen.x);
-        let weights = weights_between(lone_last(seen, lone));
-        assert!(
-            off_the_ray(lone_last(seen, lone), weights) < 1.0,
-            "{seen:?}"
-        );
+        let lone_last = with_last(seen, lone);
+        let weights = weights_between(lone_last);
+        assert!(off_the_ray(lone_last, weights) < 1.0, "{seen:?}");
         let reversed = |v: Vec3<f32>| vec3(v.y, v.x, v.z);
-        for turn in 0..3 {
-            let turned = lone_last(seen, turn);
+        for corner in 0..3 {
+            let turned = with_last(seen, corner);
             let Seen { x, y, along } = turned;
             let other = Seen {
                 x: reversed(x),
