@@ -120,11 +120,10 @@ fn lone_corner<R: Real>(x: Vec3<R>) -> u32 {
 /// A number of each corner, that of one exchanged with the last.
 #[inline]
 fn exchanged<R: Real>(v: Vec3<R>, corner: u32) -> Vec3<R> {
-    match corner {
-        0 => vec3(v.z, v.y, v.x),
-        1 => vec3(v.x, v.z, v.y),
-        _ => v,
-    }
+    let x = if corner == 0 { v.z } else { v.x };
+    let y = if corner == 1 { v.z } else { v.y };
+    let z = if corner == 1 { v.y } else { v.z };
+    vec3(x, y, if corner == 0 { v.x } else { z })
 }
 
 /// The corners, one exchanged with the last.
