@@ -66,12 +66,12 @@ fn bound_triangle(probe: Probe, triangle: Triangle) -> Meeting {
         return doubtful_meeting(divide(first - error, size));
     }
     let determinant = (u + v) + w;
-    let weights = vec3<real>(
-        divide(u, determinant),
-        divide(v, determinant),
-        divide(w, determinant),
+    let seen = Seen(
+        vec3<real>(ax, bx, cx),
+        vec3<real>(ay, by, cy),
+        vec3<real>(a.z, b.z, c.z),
     );
-    let t = divide(dot_product(weights, vec3<real>(a.z, b.z, c.z)), shear.z);
+    let t = divide(depth_between(seen), shear.z);
     let weight_error = divide(((u_slack + v_slack) + w_slack) * 2.0, abs(determinant));
     let in_range = select(last - first, (last - first) * weight_error, weight_error < 1.0);
     return meeting_within(t, divide(in_range + error, size));

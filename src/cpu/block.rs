@@ -77,7 +77,7 @@ impl<R: Real> Block<R> {
     }
 
     /// Those that the ray does not pass by on one side: the signs of the edge functions,
-    /// with the very roundings of [`crate::kernel::triangle::edge_functions`], or of
+    /// with the very roundings of [`crate::kernel::triangle::passes_between`], or of
     /// [`crate::kernel::triangle_bounded`] and past its bounds.
     #[inline]
     fn met_by_edges(&self, probe: &Probe<R>) -> u32 {

@@ -7,8 +7,8 @@ use super::hit::Meeting;
 use super::own_box::triangle_box;
 use super::probe::Probe;
 use super::real::{Real, constant};
-use super::triangle::axis_last;
-use super::vector::{Vec3, dot_product, taxicab_length, vec3};
+use super::triangle::{Seen, axis_last, depth_between};
+use super::vector::{Vec3, taxicab_length, vec3};
 use crate::layout::Triangle;
 
 /// The error of a sheared corner, in parts of how far the corners are and how far the ray's
@@ -77,12 +77,12 @@ fn bound_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meeting<R
         return doubtful_meeting(divide(first - error, size));
     }
     let determinant = (u + v) + w;
-    let weights = vec3(
-        divide(u, determinant),
-        divide(v, determinant),
-        divide(w, determinant),
-    );
-    let t = divide(dot_product(weights, vec3(a.z, b.z, c.z)), shear.z);
+    let seen = Seen {
+        x: vec3(ax, bx, cx),
+        y: vec3(ay, by, cy),
+        along: vec3(a.z, b.z, c.z),
+    };
+    let t = divide(depth_between(seen), shear.z);
     let weight_error = divide(((u_slack + v_slack) + w_slack) * R::TWO, determinant.abs());
     let in_range = if weight_error < constant(1.0) {
         (last - first) * weight_error

@@ -105,12 +105,10 @@ const ORDERS: [[usize; 3]; 6] = [
     [2, 1, 0],
 ];
 
-/// In all orders a triangle is hit or missed alike, and t is off by no more than its roundings
-/// once the edge functions are known: of their sum 2, of a weight and its product 2, of the sum
-/// of products 2 and of the quotient 1, for both orders, in parts of the farthest corner.
+/// In all orders a triangle is hit or missed alike, at the same t in every bit.
 fn orders_agree<R: Real>() {
     let mut n = Numbers(9);
-    let (mut hits, mut moved) = (0, 0);
+    let mut hits = 0;
     for _ in 0..20_000 {
         let mut vector = |reach| {
             let v = n
@@ -129,28 +127,12 @@ fn orders_agree<R: Real>() {
             let triangle = in_order(corners, order);
             intersect_triangle(ray, shear_of(ray), &triangle)
         });
-        assert!(t[0] == t[1], "{ray:?}");
-        let size = |v: Vec3<R>| {
-            let [x, y, z] = <[R; 3]>::from(v).map(|x| x.to_f64().abs());
-            x.max(y).max(z)
-        };
-        let far = corners
-            .iter()
-            .map(|c| size(*c - origin))
-            .fold(0.0, f64::max);
-        let most = 14.0 * unit::<R>() * far / size(ray.direction);
-        for other in t {
-            assert_eq!(t[0] < R::MISS, other < R::MISS, "{ray:?}");
-            assert!((t[0].to_f64() - other.to_f64()).abs() <= most, "{ray:?}");
-            moved += usize::from(other != t[0]);
-        }
+        assert!(t.iter().all(|other| *other == t[0]), "{ray:?}");
         hits += usize::from(t[0] < R::MISS);
         let [one, other] = [0, 1].map(|order| triangle_normal(&in_order(corners, ORDERS[order])));
         assert_eq!(one, -other);
     }
     assert!(hits > 500, "{hits}");
-    // The control: other orders do round otherwise.
-    assert!(moved > 100, "{moved}");
 }
 
 #[test]

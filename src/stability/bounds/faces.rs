@@ -161,10 +161,15 @@ fn flat_boxes(n: &mut Numbers, demands: &'static [Demand]) -> Result<Box<dyn Tri
     let flat = flat_of(&scene_of((0..24).map(across)));
     let rays = (0..4000)
         .map(|_| {
-            let from = DVec3::from([0; 3].map(|_| n.pick(33) as f64 / 2.0 - 8.0));
+            let mut from = DVec3::from([0; 3].map(|_| n.pick(33) as f64 / 2.0 - 8.0));
             let axis = n.pick(3);
             let aslant = [-0.5, 0.0, 0.5];
             let mut direction = DVec3::from([0; 3].map(|_| aslant[n.pick(3)]));
+            direction[axis] = 0.0;
+            if direction != DVec3::ZERO {
+                // Aslant, t is a quotient and rounded: none is 0, and no two are equal.
+                from += DVec3::new(0.1875, 0.0625, 0.25);
+            }
             direction[axis] = if n.flip() { 1.0 } else { -1.0 };
             ray(from, direction)
         })

@@ -15,7 +15,7 @@ use crate::stability::case::{Case, Trial};
 use crate::stability::demand::Demand::{self, Classified, NoLeak, Residual};
 use crate::stability::shapes::{flat_of, mesh, scene_of};
 use crate::stability::trials::aimed::Aimed;
-use crate::tier::Accuracy::{Adaptive, Double, Extended, Textbook};
+use crate::tier::Accuracy::Textbook;
 
 pub(super) const CASES: &[Case] = &[
     Case {
@@ -100,9 +100,9 @@ pub(super) const CASES: &[Case] = &[
                   and rays from within to the edges.",
         danger: "The edge is long for the one and the vertex near for the other, so they \
                  round it differently.",
-        demands: &[NoLeak, Classified],
-        // Where slivers overlap by a rounding, their t decides: see `triangle/sliver`.
-        fails: &[Textbook, Extended, Double, Adaptive],
+        // Where slivers overlap by a rounding, their t decides.
+        demands: &[NoLeak, Classified, Residual(ON_PLANE)],
+        fails: &[Textbook],
         is_random: true,
         trial: uneven,
     },

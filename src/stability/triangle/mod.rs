@@ -21,8 +21,8 @@ pub const FAMILY: Family = Family {
     ],
 };
 
-/// The roundings of a point on a triangle of fair proportions, in u B. Sheared corners are
-/// each off by 5.2 u of their distance, and a point between them is off by no more; t takes
-/// 5 u t |d|, of weights, dot product and quotients; the edge functions' products move it by 3
-/// u L^3 / area, 7 u L of an equilateral triangle of edge L.
+/// The roundings of a point on a triangle, whatever its shape, in u B. Sheared corners are each
+/// off by 5.2 u of their distance, and a point between them is off by no more. The weights are
+/// those of a point 6 u L away across the ray, where L is the longest edge, sheared; the depth
+/// they give takes 3 u L, and t 2 u t |d|. L is at most the corners' distance here.
 const ON_PLANE: f64 = 16.0;
