@@ -1,7 +1,8 @@
 //! The order of a triangle's corners.
 //!
-//! With the first two exchanged all sums keep their operands, so no bit changes. In other
-//! orders three numbers are summed in another one; whether a triangle is hit does not change.
+//! The decision and t take the corners by where the ray sees them, so neither changes. A normal
+//! keeps its bits but the signs where the first two are exchanged: all its sums keep their
+//! operands; in other orders it is rounded otherwise.
 
 use std::sync::Arc;
 
@@ -14,7 +15,6 @@ use rayproof::kernel::two_float::TwoFloat;
 use rayproof::kernel::vector::{Vec3, vec3};
 use rayproof::layout::Triangle;
 use rayproof::scene::{Geometry, Mesh};
-use rayproof::tier::Width;
 use rayproof::{Accuracy, Backend, Scene};
 
 use super::common::random::Numbers;
@@ -73,15 +73,6 @@ fn other_corners_are_noticed() {
     }
     let there = picture(&other, &Backend::Cpu(None), Accuracy::Robust, Bounds::None);
     assert!(different(&see([0, 1, 2], Accuracy::Robust), &there) > 10);
-}
-
-/// The rounding unit of a width.
-fn unit<R: Real>() -> f64 {
-    match R::WIDTH {
-        Width::Single => 2f64.powi(-24),
-        Width::Extended => 15.0 * 2f64.powi(-48),
-        Width::Double => 2f64.powi(-53),
-    }
 }
 
 fn in_order<R: Real>(corners: [Vec3<R>; 3], order: [usize; 3]) -> Triangle<R> {
