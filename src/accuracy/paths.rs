@@ -12,7 +12,7 @@ use crate::{cpu, gpu};
 
 impl Widths {
     /// Follows the path of each ray in a tier, for so many legs: to the first surface, and on
-    /// from there as the ray's aim has it.
+    /// from there as the ray's aim has it. Directions are taken as they come, of whatever length.
     ///
     /// # Errors
     ///

@@ -30,7 +30,8 @@ pub trait Real:
     /// 2.
     const TWO: Self;
     /// The value of t that stands for "no hit": the largest finite f32 in every width, since
-    /// WGSL has no infinity, and t is handed on in parts of f32. What is met beyond is no hit.
+    /// WGSL has no infinity, and t is handed on in parts of f32. What is met beyond, in lengths
+    /// of the direction that is traced, is no hit.
     const MISS: Self;
 
     /// The nearest number of this width.

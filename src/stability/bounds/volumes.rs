@@ -52,6 +52,9 @@ pub(super) const CASES: &[Case] = &[
 /// Pixels of a side: the middle of one is the middle of the picture.
 const SIDE: u32 = 65;
 
+/// Pictures of a case.
+const PICTURES: usize = 8;
+
 /// One triangle, or a few.
 fn small_mesh(index: usize, n: &mut Numbers) -> Mesh {
     if index.is_multiple_of(2) {
@@ -76,19 +79,22 @@ fn at_a_vertex(index: usize, n: &mut Numbers) -> Scene {
         |far, point| if out(&point) > out(&far) { point } else { far },
     );
     let forward = across(vertex - middle, n);
-    let distance = 10f64.powf(n.between(0.0, 5.0));
+    // From close by to far away, and of each some narrow and some wide.
+    let part = index as f64 / (PICTURES - 1) as f64;
+    let distance = 10f64.powf(5.0 * part);
     let mut scene = scene_of([mesh(solid, DMat3::IDENTITY, DVec3::ZERO)]).with_size(SIDE, SIDE);
     scene.camera.eye = vertex - forward * distance;
     scene.camera.target = vertex;
     scene.camera.up = (vertex - middle).normalize();
     // The width of the picture in parts of the distance, from some ulp to the whole mesh.
-    let width = 10f64.powf(n.between(-6.0, 0.0)) / distance;
+    let narrow = (3 * index % PICTURES) as f64 / (PICTURES - 1) as f64;
+    let width = 10f64.powf(-6.0 * narrow) / distance;
     scene.camera.fov_degrees = (2.0 * width.atan()).to_degrees();
     scene
 }
 
 fn at_vertices(bounds: Bounds, n: &mut Numbers) -> Result<Box<dyn Trial>> {
-    let pictures = (0..2).map(|index| {
+    let pictures = (0..PICTURES).map(|index| {
         let scene = at_a_vertex(index, n);
         Box::new(Pictures::new(flat_of(&scene), bounds)) as Box<dyn Trial>
     });
