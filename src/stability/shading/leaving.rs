@@ -77,8 +77,10 @@ pub(super) const CASES: &[Case] = &[
 /// From a ten-thousandth of a millimetre to a thousand kilometres, if 1 is a metre.
 const SIZES: [f64; 7] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6];
 
-/// Below this, roundings of a normal may tell on which side of the surface a ray goes.
-const LEAST_SLOPE: f64 = 1e-5;
+/// By how much a sphere's normal may be turned, in parts of |c| + r over r and over the cosine at
+/// which it is met: l is off by so many roundings, see `docs/numerics.md`, and half the chord by
+/// as much over that cosine. A ray that leaves at less tells no side of the surface.
+const TURN: f64 = 20.0 / 16_777_216.0;
 
 /// What a ray meets first, exactly.
 fn meeting(flat: &Flat<f64>, ray: Ray<f32>) -> Truth {
@@ -115,7 +117,11 @@ fn leave(geometry: Geometry, size: f64, center: DVec3, count: usize, n: &mut Num
         if direction.dot(normal) < 0.0 {
             direction = -direction;
         }
-        if direction.dot(normal) < LEAST_SLOPE {
+        let came: Ray<f64> = ray.converted();
+        let cosine = -DVec3::from_array(came.direction.into())
+            .normalize()
+            .dot(normal);
+        if direction.dot(normal) < TURN * (center.length() + size) / (size * cosine) {
             continue;
         }
         rays.push(ray);
