@@ -144,18 +144,16 @@ impl Widths {
         if let Some(reason) = backend.lacks(accuracy) {
             return Err(Error::Usage(reason));
         }
-        if accuracy == Accuracy::Textbook {
-            return Ok((list(backend, &self.textbook, rays)?, 0));
-        }
-        let Some((ordinary, powers)) = ordinary(rays) else {
-            return self.trace_ordinary_rays(backend, accuracy, rays);
+        let is_tamed = accuracy != Accuracy::Textbook;
+        let Some((ordinary, powers)) = is_tamed.then(|| ordinary(rays)).flatten() else {
+            return self.trace_as_they_are(backend, accuracy, rays);
         };
-        let (mut found, retraced) = self.trace_ordinary_rays(backend, accuracy, &ordinary)?;
+        let (mut found, retraced) = self.trace_as_they_are(backend, accuracy, &ordinary)?;
         of_their_own(&mut found, &powers);
         Ok((found, retraced))
     }
 
-    fn trace_ordinary_rays(
+    fn trace_as_they_are(
         &self,
         backend: &Backend,
         accuracy: Accuracy,

@@ -14,22 +14,27 @@ pub const ASIDE: DVec3 = DVec3::new(0.36, 0.48, -0.8);
 /// Another one, on the other side.
 pub const ASKEW: DVec3 = DVec3::new(0.48, 0.64, 0.6);
 
-/// White shapes in light from everywhere, the camera at the origin.
-pub fn scene_of(shapes: impl IntoIterator<Item = Geometry>) -> Scene {
-    let shape = |geometry| Shape {
-        geometry,
-        transform: Transform::default(),
-        material: 0,
-    };
+/// Shapes in white, in light from everywhere, the camera at the origin.
+pub fn white_scene(shapes: Vec<Shape>) -> Scene {
     Scene {
         ambient: [1.0; 3],
         materials: vec![Material {
             name: "white".into(),
             albedo: [0.8; 3],
         }],
-        shapes: shapes.into_iter().map(shape).collect(),
+        shapes,
         ..Scene::default()
     }
+}
+
+/// The same of shapes that stay where they are.
+pub fn scene_of(shapes: impl IntoIterator<Item = Geometry>) -> Scene {
+    let shape = |geometry| Shape {
+        geometry,
+        transform: Transform::default(),
+        material: 0,
+    };
+    white_scene(shapes.into_iter().map(shape).collect())
 }
 
 /// The scene as plain arrays, each number rounded to f32: no tier has another scene than the

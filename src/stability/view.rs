@@ -10,9 +10,11 @@ use crate::accuracy::truth::rounded_rays;
 use crate::accuracy::{Truths, Widths};
 use crate::bounds::Bounds;
 use crate::error::Result;
+use crate::found::Found;
 use crate::frame::{Layer, Verdict, wrong_colors};
 use crate::kernel::camera::Ray;
 use crate::layout::NO_HIT;
+use crate::oracle::Truth;
 use crate::paths::Aim;
 use crate::random::Numbers;
 use crate::render::{Accuracy, Backend};
@@ -77,20 +79,23 @@ pub fn view_of(id: &str) -> Option<&'static View> {
 const GAP: usize = 4;
 
 impl View {
-    /// The pictures of several subjects, from left to right.
+    /// The pictures of several subjects' errors, from left to right: the exact picture in grey,
+    /// wrong pixels in colour. Where two shapes meet, either is right; shadows are held to those
+    /// in f64. Three bytes a pixel; width and height.
     ///
     /// # Errors
     ///
-    /// As [`View::picture`].
+    /// Those of the subjects, and [`crate::Error::Interrupted`] when `watch` says so.
     pub fn side_by_side(
         &self,
         subjects: &[Station<'_>],
         watch: &dyn Watch,
     ) -> Result<(Vec<u8>, [u32; 2])> {
-        let mut rows: Vec<Vec<u8>> = Vec::new();
+        let scenery = Scenery::of(self, watch)?;
+        let [width, height] = scenery.widths.double.size;
+        let mut rows: Vec<Vec<u8>> = vec![Vec::new(); height as usize];
         for subject in subjects {
-            let (pixels, [width, height]) = self.picture(subject, watch)?;
-            rows.resize(height as usize, Vec::new());
+            let pixels = wrong_colors(&scenery.base, &scenery.verdicts(subject)?);
             for (row, pixels) in rows.iter_mut().zip(pixels.chunks(3 * width as usize)) {
                 if !row.is_empty() {
                     row.extend([0; 3 * GAP]);
@@ -98,59 +103,72 @@ impl View {
                 row.extend(pixels);
             }
         }
-        let width = rows.first().map_or(0, |row| row.len() / 3);
-        let size = [width as u32, rows.len() as u32];
+        let size = [(rows[0].len() / 3) as u32, height];
         Ok((rows.concat(), size))
     }
+}
 
-    /// The picture of a subject's errors: the exact picture in grey, wrong pixels in colour.
-    /// Where two shapes meet, either is right; shadows are held to those in f64. Three bytes a
-    /// pixel; width and height.
-    ///
-    /// # Errors
-    ///
-    /// Those of the subject, and [`crate::Error::Interrupted`] when `watch` says so.
-    pub fn picture(&self, on: &dyn Subject, watch: &dyn Watch) -> Result<(Vec<u8>, [u32; 2])> {
-        let scene = (self.scene)();
-        let flat = flat_of(&scene);
+/// A view with the exact answers.
+struct Scenery {
+    widths: Widths,
+    rays: Vec<Ray<f32>>,
+    truths: Truths,
+    /// The exact picture, three bytes a pixel.
+    base: Vec<u8>,
+    /// Where shadows are to be seen, whether each pixel is dark.
+    dark: Option<Vec<bool>>,
+}
+
+impl Scenery {
+    fn of(view: &View, watch: &dyn Watch) -> Result<Self> {
+        let flat = flat_of(&(view.scene)());
         let rays = rounded_rays(&flat);
         let exact: Vec<Ray<f64>> = rays.iter().map(|ray| ray.converted()).collect();
         let widths = Widths::of(flat, Bounds::Tree);
         let truths = Truths::of(&widths.double, &exact, watch)?;
         let base = truths.frame(&widths.double, &exact)?;
         let mut base = base.to_rgb8(Layer::Color, Transfer::Srgb);
-        let verdicts = if self.has_shadows {
-            let double = Station {
-                backend: &Backend::Cpu(None),
-                tier: Accuracy::Double,
-            };
-            let in_truth = shadows(&double, &widths, &rays)?;
-            for (pixel, is_dark) in base.chunks_mut(3).zip(&in_truth) {
-                if *is_dark {
-                    pixel.iter_mut().for_each(|channel| *channel /= 2);
-                }
-            }
-            let found = shadows(on, &widths, &rays)?;
-            found
-                .iter()
-                .zip(&in_truth)
-                .map(|pair| match pair {
-                    (false, true) => Verdict::FalseMiss,
-                    (true, false) => Verdict::FalseHit,
-                    _ => Verdict::Right,
-                })
-                .collect()
-        } else {
-            let found = on.trace_rays(&widths, &rays)?;
-            let pairs = found.iter().zip(&truths.0);
-            pairs
-                .map(|(found, truth)| match verdict(found.id, truth.id) {
-                    Verdict::WrongShape if truth.margin <= band_of(on.tier()) => Verdict::Right,
-                    verdict => verdict,
-                })
-                .collect::<Vec<_>>()
+        let double = Station {
+            backend: &Backend::Cpu(None),
+            tier: Accuracy::Double,
         };
-        Ok((wrong_colors(&base, &verdicts), widths.double.size))
+        let dark = view.has_shadows.then(|| shadows(&double, &widths, &rays));
+        let dark = dark.transpose()?;
+        for (pixel, is_dark) in base.chunks_mut(3).zip(dark.iter().flatten()) {
+            if *is_dark {
+                pixel.iter_mut().for_each(|channel| *channel /= 2);
+            }
+        }
+        Ok(Self {
+            widths,
+            rays,
+            truths,
+            base,
+            dark,
+        })
+    }
+
+    /// What a subject gets wrong, pixel by pixel.
+    fn verdicts(&self, on: &dyn Subject) -> Result<Vec<Verdict>> {
+        if let Some(dark) = &self.dark {
+            let found = shadows(on, &self.widths, &self.rays)?;
+            let pairs = found.iter().zip(dark);
+            let verdict = |pair| match pair {
+                (false, true) => Verdict::FalseMiss,
+                (true, false) => Verdict::FalseHit,
+                _ => Verdict::Right,
+            };
+            return Ok(pairs
+                .map(|(found, dark)| verdict((*found, *dark)))
+                .collect());
+        }
+        let found = on.trace_rays(&self.widths, &self.rays)?;
+        let pairs = found.iter().zip(&self.truths.0);
+        let verdict_of = |(found, truth): (&Found, &Truth)| match verdict(found.id, truth.id) {
+            Verdict::WrongShape if truth.margin <= band_of(on.tier()) => Verdict::Right,
+            verdict => verdict,
+        };
+        Ok(pairs.map(verdict_of).collect())
     }
 }
 

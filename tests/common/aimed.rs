@@ -11,6 +11,7 @@ use rayproof::kernel::camera::Ray;
 use rayproof::kernel::vector::vec3;
 use rayproof::scene::mesh::{Builtin, build};
 use rayproof::scene::{Geometry, Shape, Transform};
+use rayproof::stability::aim::any_corners;
 
 use super::random::Numbers;
 use super::white_scene;
@@ -101,12 +102,12 @@ pub type Aim = fn(&Flat<f64>, &mut Numbers) -> Line;
 /// Every aim, and its name.
 pub const AIMS: [(&str, Aim); 10] = [
     ("an edge", |flat, n| {
-        let [a, b, _] = corners(flat, n);
+        let [a, b, _] = any_corners(flat, n);
         let target = a + (b - a) * n.between(0.0, 1.0);
         towards(flat, n, target)
     }),
     ("a vertex", |flat, n| {
-        let target = corners(flat, n)[0];
+        let target = any_corners(flat, n)[0];
         towards(flat, n, target)
     }),
     ("the outline of a sphere", |flat, n| {
@@ -127,7 +128,7 @@ pub const AIMS: [(&str, Aim); 10] = [
         (side + along * n.between(1.5, 30.0) * radius, -along)
     }),
     ("the rim of a disk", |flat, n| {
-        let row = pick(n, flat.disks.len());
+        let row = n.pick(flat.disks.len());
         let disk = &flat.disks[row];
         let normal = DVec3::from(disk.normal);
         let across = normal.cross(n.vector(1.0)).normalize();
@@ -135,22 +136,22 @@ pub const AIMS: [(&str, Aim); 10] = [
         towards(flat, n, target)
     }),
     ("along an edge", |flat, n| {
-        let [a, b, _] = corners(flat, n);
+        let [a, b, _] = any_corners(flat, n);
         (a - (b - a) * n.between(0.0, 4.0), b - a)
     }),
     ("in the plane of a triangle", |flat, n| {
-        let [a, b, c] = corners(flat, n);
+        let [a, b, c] = any_corners(flat, n);
         let mut inside = || a + (b - a) * n.between(-2.0, 3.0) + (c - a) * n.between(-2.0, 3.0);
         let (from, to) = (inside(), inside());
         (from, to - from)
     }),
     ("from a sphere or the plane of a disk", |flat, n| {
-        if n.next().is_multiple_of(2) {
+        if n.flip() {
             let (center, radius) = sphere(flat, n);
             let up = n.vector(1.0).normalize();
             return (center + up * radius, n.vector(1.0));
         }
-        let disk = &flat.disks[pick(n, flat.disks.len())];
+        let disk = &flat.disks[n.pick(flat.disks.len())];
         let across = DVec3::from(disk.normal).cross(n.vector(1.0));
         (
             DVec3::from(disk.center) + across * disk.radius,
@@ -158,12 +159,12 @@ pub const AIMS: [(&str, Aim); 10] = [
         )
     }),
     ("from a triangle", |flat, n| {
-        let [a, b, c] = corners(flat, n);
+        let [a, b, c] = any_corners(flat, n);
         let from = a + (b - a) * n.between(0.0, 0.5) + (c - a) * n.between(0.0, 0.5);
         (from, n.vector(1.0))
     }),
     ("anything", |flat, n| {
-        let [a, b, c] = corners(flat, n);
+        let [a, b, c] = any_corners(flat, n);
         let target = a + (b - a) * n.between(0.0, 0.7) + (c - a) * n.between(0.0, 0.7);
         towards(flat, n, target)
     }),
@@ -185,33 +186,18 @@ pub fn aimed_rays(flat: &Flat<f64>, count: usize, seed: u64) -> Vec<Ray<f32>> {
         let mut from = from.as_vec3().to_array();
         let mut direction = (direction * length).as_vec3().to_array();
         if direction == [0.0; 3] {
-            direction[pick(&mut n, 3)] = 1.0;
+            direction[n.pick(3)] = 1.0;
         }
-        if n.next().is_multiple_of(2) {
-            let moved = if n.next().is_multiple_of(2) {
-                &mut from
-            } else {
-                &mut direction
-            };
-            let number = &mut moved[pick(&mut n, 3)];
-            let ulps = 1 << pick(&mut n, 14);
-            *number = step(
-                *number,
-                if n.next().is_multiple_of(2) {
-                    ulps
-                } else {
-                    -ulps
-                },
-            );
+        if n.flip() {
+            let moved = if n.flip() { &mut from } else { &mut direction };
+            let number = &mut moved[n.pick(3)];
+            let ulps = 1 << n.pick(14);
+            *number = step(*number, if n.flip() { ulps } else { -ulps });
         }
         let [origin, direction] = [from, direction].map(|[x, y, z]| vec3(x, y, z));
         Ray { origin, direction }
     })
     .collect()
-}
-
-fn pick(n: &mut Numbers, count: usize) -> usize {
-    (n.next() % count as u64) as usize
 }
 
 /// The number so many f32 further from 0; 0 stays.
@@ -224,36 +210,22 @@ fn step(number: f32, ulps: i32) -> f32 {
 
 /// A length that is some ulp of f32 off, or none.
 fn ulps_off(n: &mut Numbers, length: f64) -> f64 {
-    step(length as f32, [-8, -1, 0, 1, 8][pick(n, 5)]).into()
+    step(length as f32, [-8, -1, 0, 1, 8][n.pick(5)]).into()
 }
 
 fn ulps_of(n: &mut Numbers, v: DVec3) -> DVec3 {
     DVec3::from_array(v.to_array().map(|number| ulps_off(n, number)))
 }
 
-/// The corners of a triangle, beginning with any.
-fn corners(flat: &Flat<f64>, n: &mut Numbers) -> [DVec3; 3] {
-    let vertices = flat.triangles[pick(n, flat.triangles.len())].vertices;
-    let first = pick(n, 3);
-    [0, 1, 2].map(|corner| {
-        let vertex = vertices[(first + corner) % 3];
-        DVec3::from(flat.vertices[vertex as usize])
-    })
-}
-
 fn sphere(flat: &Flat<f64>, n: &mut Numbers) -> (DVec3, f64) {
-    let sphere = &flat.spheres[pick(n, flat.spheres.len())];
+    let sphere = &flat.spheres[n.pick(flat.spheres.len())];
     (sphere.center.into(), sphere.radius)
 }
 
 fn two_axes(n: &mut Numbers) -> (DVec3, DVec3) {
-    let first = pick(n, 3);
-    let second = (first + 1 + pick(n, 2)) % 3;
-    let sign = if n.next().is_multiple_of(2) {
-        1.0
-    } else {
-        -1.0
-    };
+    let first = n.pick(3);
+    let second = (first + 1 + n.pick(2)) % 3;
+    let sign = if n.flip() { 1.0 } else { -1.0 };
     (DVec3::AXES[first] * sign, DVec3::AXES[second])
 }
 

@@ -17,7 +17,7 @@ use rayproof::kernel::trace::trace_pixel;
 use rayproof::layout::Pixel;
 use rayproof::render::Settings;
 use rayproof::scene::mesh::{Builtin, build};
-use rayproof::scene::{Geometry, Material, Mesh, PixelSampling, Shape, Transform};
+use rayproof::scene::{Geometry, Mesh, PixelSampling, Shape, Transform};
 use rayproof::{Accuracy, Backend, Comparison, Frame, Scene, Tolerance, Unwatched};
 
 /// The best adapter; without one the test fails, for a check that was not made
@@ -68,18 +68,7 @@ pub fn scene(name: &str) -> Scene {
     Scene::load(format!("assets/scenes/{name}.toml")).unwrap()
 }
 
-/// Shapes in white, in light from everywhere.
-pub fn white_scene(shapes: Vec<Shape>) -> Scene {
-    Scene {
-        ambient: [1.0; 3],
-        materials: vec![Material {
-            name: "white".into(),
-            albedo: [0.8; 3],
-        }],
-        shapes,
-        ..Scene::default()
-    }
-}
+pub use rayproof::stability::shapes::white_scene;
 
 /// A sphere of radius 1 in front of the camera.
 pub fn sphere_ahead() -> Shape {

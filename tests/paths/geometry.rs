@@ -8,31 +8,15 @@ use rayproof::kernel::camera::Ray;
 use rayproof::kernel::vector::{Vec3, vec3, vector_length};
 use rayproof::layout::NO_HIT;
 use rayproof::paths::{Aim, Paths};
-use rayproof::scene::{Geometry, Shape, Transform};
+use rayproof::scene::Geometry;
+use rayproof::stability::shapes::{disk, scene_of};
 use rayproof::{Accuracy, Backend};
 
 use super::backends;
 use super::common::random::Numbers;
-use super::common::white_scene;
 
 fn widths_of(shapes: &[Geometry], bounds: Bounds) -> Widths {
-    let shapes = shapes.iter().map(|geometry| Shape {
-        geometry: geometry.clone(),
-        transform: Transform::default(),
-        material: 0,
-    });
-    let mut scene = white_scene(shapes.collect());
-    scene.camera.eye = DVec3::ZERO;
-    scene.camera.target = -DVec3::Z;
-    Widths::of(flatten(&scene), bounds)
-}
-
-fn disk(center: DVec3, normal: DVec3, radius: f64) -> Geometry {
-    Geometry::Disk {
-        center,
-        normal,
-        radius,
-    }
+    Widths::of(flatten(&scene_of(shapes.iter().cloned())), bounds)
 }
 
 fn follow(
