@@ -73,11 +73,13 @@ fn knot(detail: u32) -> Scene {
         materials: vec![Material {
             name: "white".into(),
             albedo: [0.8; 3],
+            ..Material::default()
         }],
         shapes: vec![Shape {
             geometry: Geometry::Mesh(Arc::new(mesh::build(Builtin::Knot, detail))),
             transform: Transform::default(),
             material: 0,
+            velocity: glam::DVec3::ZERO,
         }],
         ..Scene::default()
     }

@@ -45,6 +45,7 @@ fn spiral() -> Scene {
         },
         transform: Transform::default(),
         material: 0,
+        velocity: glam::DVec3::ZERO,
     };
     Scene {
         image: Image {
@@ -58,6 +59,7 @@ fn spiral() -> Scene {
             up: DVec3::Y,
             fov_degrees: 45.0,
             sampling: PixelSampling::Center,
+            ..Camera::default()
         },
         background: Background::plain([0.02, 0.03, 0.05]),
         ambient: [0.08, 0.08, 0.1],
@@ -65,19 +67,23 @@ fn spiral() -> Scene {
             position: DVec3::new(2.0, 5.0, 1.0),
             color: [30.0, 28.0, 24.0],
             falloff: Falloff::InverseSquare,
+            shadow: false,
         }],
         materials: vec![
             Material {
                 name: "floor".into(),
                 albedo: [0.5, 0.5, 0.5],
+                ..Material::default()
             },
             Material {
                 name: "ball".into(),
                 albedo: [0.9, 0.55, 0.2],
+                ..Material::default()
             },
         ],
         shapes: std::iter::once(floor).chain((0..BALLS).map(ball)).collect(),
         groups: Vec::new(),
+        ..Scene::default()
     }
 }
 
@@ -93,5 +99,6 @@ fn ball(index: u32) -> Shape {
         },
         transform: Transform::default(),
         material: 1,
+        velocity: glam::DVec3::ZERO,
     }
 }

@@ -104,6 +104,7 @@ fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
             position,
             color: light_color,
             falloff,
+            ..
         } = *light
         {
             flat.lights.push(LightRecord {
@@ -119,6 +120,7 @@ fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
         if let Light::Directional {
             direction,
             color: light_color,
+            ..
         } = *light
         {
             flat.lights.push(LightRecord {

@@ -136,6 +136,7 @@ fn as_many_lights_as_allowed() {
             position: DVec3::new(at as f64 / MAX_LIGHTS as f64, 6.0, 5.0),
             color,
             falloff: Falloff::None,
+            shadow: false,
         })
         .collect();
     assert_same_bits(&on_gpu(&scene), &on_cpu(&scene));

@@ -90,6 +90,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                 translate: DVec3::ZERO,
             },
             material: 0,
+            velocity: DVec3::ZERO,
         };
         let mut scene = white_scene(shapes.into_iter().map(placed).collect()).with_size(16, 16);
         scene.camera.eye = DVec3::new(eye.0, eye.1, eye.2) * scale;

@@ -125,6 +125,7 @@ fn place_anew(scene: &mut Scene, scale: f64, offset: DVec3) {
             position,
             color,
             falloff,
+            ..
         } = light
         {
             *position = place(*position);

@@ -125,7 +125,9 @@ fn light(light: &Light) -> Verdict {
         Light::Directional {
             direction: d,
             color: c,
+            ..
         } => direction("direction", d).and_then(|()| color("color", c)),
+        Light::Area { radiance, .. } => color("radiance", radiance),
     }
 }
 

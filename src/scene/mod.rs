@@ -3,18 +3,32 @@
 //! A scene comes from a TOML file ([`Scene::load`]) or is built in code from
 //! the types below, then checked with [`Scene::validate`].
 
+mod camera;
 mod check;
+mod integrator;
+mod light;
+mod material;
 pub mod mesh;
 pub mod obj;
+mod origins;
 pub mod parse;
 pub mod policy;
+mod surroundings;
+mod texture;
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
+pub use camera::{Camera, Image, PixelSampling, Transfer};
 pub use check::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MIN_SIZE};
+pub use integrator::{Integrator, Strategy};
+pub use light::{AreaForm, Falloff, Light};
+pub use material::Material;
+pub use origins::{Origin, Origins};
+pub use surroundings::{Background, Environment, Fog, Sky};
+pub use texture::{Pattern, Texels, Texture};
 
 /// A linear RGB colour; 1 is full, values above 1 are allowed.
 pub type Rgb = [f64; 3];
@@ -28,8 +42,16 @@ pub struct Scene {
     pub camera: Camera,
     /// What a ray sees that meets nothing.
     pub background: Background,
+    /// What shines from all around, in place of the background.
+    pub environment: Option<Environment>,
+    /// What fills the space between the shapes.
+    pub fog: Option<Fog>,
     /// Light from everywhere, multiplied with the albedo.
     pub ambient: Rgb,
+    /// How far something has to be not to keep ambient light off; 0 where nothing does.
+    pub occlusion: f64,
+    /// How the light is added up.
+    pub integrator: Integrator,
     /// The lights.
     pub lights: Vec<Light>,
     /// The materials; shapes refer to them by index.
@@ -40,6 +62,8 @@ pub struct Scene {
     /// [`Bounds::Scene`](crate::bounds::Bounds::Scene). A group stands behind the one
     /// that holds it.
     pub groups: Vec<Group>,
+    /// Where in a file all this stands, for messages.
+    pub origins: Origins,
 }
 
 impl Default for Scene {
@@ -47,24 +71,19 @@ impl Default for Scene {
     /// built in code.
     fn default() -> Self {
         Self {
-            image: Image {
-                width: 640,
-                height: 480,
-                transfer: Transfer::Srgb,
-            },
-            camera: Camera {
-                eye: DVec3::ZERO,
-                target: DVec3::NEG_Z,
-                up: DVec3::Y,
-                fov_degrees: 60.0,
-                sampling: PixelSampling::Center,
-            },
+            image: Image::default(),
+            camera: Camera::default(),
             background: Background::plain([0.0; 3]),
+            environment: None,
+            fog: None,
             ambient: [0.0; 3],
+            occlusion: 0.0,
+            integrator: Integrator::default(),
             lights: Vec::new(),
             materials: Vec::new(),
             shapes: Vec::new(),
             groups: Vec::new(),
+            origins: Origins::default(),
         }
     }
 }
@@ -78,118 +97,6 @@ impl Scene {
     }
 }
 
-/// Size and tone curve of the picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Image {
-    /// Pixels from left to right.
-    pub width: u32,
-    /// Pixels from top to bottom.
-    pub height: u32,
-    /// From linear light to the 8 bits of a PNG.
-    pub transfer: Transfer,
-}
-
-/// From linear light to the 8 bits of a PNG.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Transfer {
-    /// The piecewise curve of IEC 61966-2-1.
-    Srgb,
-    /// Square root, then floor(255.99 c): the curve of the 2017 report.
-    Sqrt,
-    /// No curve.
-    Linear,
-}
-
-/// A pinhole camera.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Camera {
-    /// Position of the pinhole.
-    pub eye: DVec3,
-    /// The point in the middle of the picture.
-    pub target: DVec3,
-    /// Which way is up; need not be perpendicular to the line of sight.
-    pub up: DVec3,
-    /// Full vertical angle of view in degrees, between 0 and 180.
-    pub fov_degrees: f64,
-    /// Where in a pixel its ray goes through.
-    pub sampling: PixelSampling,
-}
-
-/// Where in a pixel its ray goes through.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PixelSampling {
-    /// The middle.
-    Center,
-    /// The lower left corner, as in the 2017 report.
-    Corner,
-}
-
-/// What a ray sees that meets nothing: with w = `offset` + `slope` * d.y, where
-/// d is the ray's unit direction, the colour is `from` * (1 - w) + `to` * w.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Background {
-    /// The colour at w = 0.
-    pub from: Rgb,
-    /// The colour at w = 1.
-    pub to: Rgb,
-    /// w at the horizon.
-    pub offset: f64,
-    /// Change of w from the horizon to the zenith.
-    pub slope: f64,
-}
-
-impl Background {
-    /// The same colour everywhere.
-    pub fn plain(color: Rgb) -> Self {
-        Self {
-            from: color,
-            to: color,
-            offset: 0.0,
-            slope: 0.0,
-        }
-    }
-}
-
-/// A light without size.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Light {
-    /// Light from one point.
-    Point {
-        /// Where it is.
-        position: DVec3,
-        /// Its colour, times its intensity.
-        color: Rgb,
-        /// How it weakens with distance.
-        falloff: Falloff,
-    },
-    /// Light from infinitely far away.
-    Directional {
-        /// Towards the light; any length but zero.
-        direction: DVec3,
-        /// Its colour, times its intensity.
-        color: Rgb,
-    },
-}
-
-/// How a point light weakens with distance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Falloff {
-    /// Not at all.
-    None,
-    /// With the square of the distance.
-    InverseSquare,
-}
-
-/// How a surface answers light.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Material {
-    /// The name by which a scene file refers to it.
-    pub name: String,
-    /// The fraction of light that a Lambert surface scatters, per channel.
-    pub albedo: Rgb,
-}
-
 /// A shape in the world.
 #[derive(Debug, Clone)]
 pub struct Shape {
@@ -200,6 +107,9 @@ pub struct Shape {
     /// Index into [`Scene::materials`]. A mesh with materials of its own keeps
     /// those, see [`Mesh::triangle_materials`].
     pub material: usize,
+    /// How far it moves while the shutter is open; it stands at its place in the middle of
+    /// that time.
+    pub velocity: DVec3,
 }
 
 /// Shapes, and further groups, in a bounding volume.
@@ -303,6 +213,10 @@ pub struct Mesh {
     pub normals: Vec<DVec3>,
     /// Three indices into `normals` a triangle; empty where the mesh has none.
     pub triangle_normals: Vec<[u32; 3]>,
+    /// Texture coordinates, v upward; empty where the mesh has none.
+    pub uvs: Vec<[f64; 2]>,
+    /// Three indices into `uvs` a triangle; empty where the mesh has none.
+    pub triangle_uvs: Vec<[u32; 3]>,
     /// An index into [`Scene::materials`] a triangle; empty where the whole
     /// mesh takes its shape's material.
     pub triangle_materials: Vec<u32>,

@@ -140,6 +140,7 @@ fn read(
         materials: expanded.materials,
         shapes: expanded.shapes,
         groups: expanded.groups,
+        ..Scene::default()
     };
     Some(Loaded {
         notes: notes::notes(text, &scene, &expanded.origins),
@@ -157,7 +158,11 @@ fn oddities(scene: &Scene, name: &str) -> Vec<String> {
         ));
     }
     let dark = |light: &Light| match light {
-        Light::Point { color, .. } | Light::Directional { color, .. } => *color == [0.0; 3],
+        Light::Point { color, .. }
+        | Light::Directional { color, .. }
+        | Light::Area {
+            radiance: color, ..
+        } => *color == [0.0; 3],
     };
     if scene.ambient == [0.0; 3] && scene.lights.iter().all(dark) {
         oddities.push(format!(

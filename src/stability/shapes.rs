@@ -21,6 +21,7 @@ pub fn white_scene(shapes: Vec<Shape>) -> Scene {
         materials: vec![Material {
             name: "white".into(),
             albedo: [0.8; 3],
+            ..Material::default()
         }],
         shapes,
         ..Scene::default()
@@ -33,6 +34,7 @@ pub fn scene_of(shapes: impl IntoIterator<Item = Geometry>) -> Scene {
         geometry,
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     };
     white_scene(shapes.into_iter().map(shape).collect())
 }

@@ -190,6 +190,7 @@ fn lit(mut scene: Scene) -> Scene {
     scene.lights.push(Light::Directional {
         direction: DVec3::new(-1.0, 2.0, 3.0),
         color: [1.0; 3],
+        shadow: false,
     });
     scene.with_size(SIDE, SIDE)
 }

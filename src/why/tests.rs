@@ -20,12 +20,14 @@ fn scene(shapes: Vec<Geometry>) -> Scene {
         geometry,
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     };
     Scene {
         ambient: [1.0; 3],
         materials: vec![Material {
             name: "clay".into(),
             albedo: [0.5; 3],
+            ..Material::default()
         }],
         shapes: shapes.into_iter().map(shape).collect(),
         ..Scene::default()

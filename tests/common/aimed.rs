@@ -44,6 +44,7 @@ pub fn hard_scene(turned: bool, scale: f64) -> Scene {
                 geometry,
                 transform,
                 material: 0,
+                velocity: DVec3::ZERO,
             },
             times,
         ));

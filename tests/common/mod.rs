@@ -79,6 +79,7 @@ pub fn sphere_ahead() -> Shape {
         },
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     }
 }
 
@@ -88,6 +89,7 @@ pub fn mesh_seen_from(mesh: Mesh, eye: DVec3) -> Scene {
         geometry: Geometry::Mesh(Arc::new(mesh)),
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     }])
     .with_size(32, 32);
     scene.camera.eye = eye;
@@ -105,6 +107,7 @@ pub fn mesh_scene(kind: Builtin, detail: u32, size: u32) -> Scene {
             translate: DVec3::new(0.0, 0.0, -3.0),
         },
         material: 0,
+        velocity: DVec3::ZERO,
     }])
     .with_size(size, size)
 }

@@ -54,11 +54,13 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
             geometry,
             transform,
             material: index % 5,
+            velocity: glam::DVec3::ZERO,
         });
     }
     let directional = Light::Directional {
         direction: n.vector(1.0),
         color: color(&mut n),
+        shadow: false,
     };
     let falloff = if seed.is_multiple_of(2) {
         Falloff::None
@@ -69,6 +71,7 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
         position: at(&mut n),
         color: color(&mut n),
         falloff,
+        shadow: false,
     };
     Scene {
         camera: Camera {
@@ -77,6 +80,7 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
             up: n.vector(1.0),
             fov_degrees: n.between(5.0, 150.0),
             sampling: PixelSampling::Center,
+            ..Camera::default()
         },
         background: Background {
             from: color(&mut n),
@@ -90,6 +94,7 @@ pub fn random_scene(seed: u64, scale: f64) -> Scene {
             .map(|index| Material {
                 name: index.to_string(),
                 albedo: color(&mut n),
+                ..Material::default()
             })
             .collect(),
         shapes,

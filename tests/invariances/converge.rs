@@ -23,6 +23,7 @@ fn scene_of(geometry: Geometry) -> Scene {
         geometry,
         transform,
         material: 0,
+        velocity: DVec3::ZERO,
     }])
     .with_size(80, 80);
     scene.camera.fov_degrees = 30.0;

@@ -110,6 +110,7 @@ fn mapped(scene: &Scene, factor: DVec3, offset: DVec3) -> Scene {
         match light {
             Light::Point { position, .. } => *position = place(*position),
             Light::Directional { direction, .. } => *direction *= factor.signum(),
+            Light::Area { .. } => unreachable!("no scene of these tests has one"),
         }
     }
     for group in &mut scene.groups {

@@ -37,6 +37,7 @@ fn standing(geometry: Geometry) -> Scene {
         geometry,
         transform,
         material: 0,
+        velocity: DVec3::ZERO,
     }])
 }
 

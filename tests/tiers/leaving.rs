@@ -54,6 +54,7 @@ fn scene_of<R: Real>(kind: &str, size: f64, distance: f64) -> (Flat<R>, DVec3) {
         geometry,
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     }]);
     scene.camera.eye = DVec3::ZERO;
     scene.camera.target = -DVec3::Z;
@@ -166,6 +167,7 @@ fn left_planet<R: Real>() {
         },
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     }]);
     scene.camera.eye = DVec3::ZERO;
     scene.camera.target = -DVec3::Z;

@@ -25,6 +25,7 @@ fn errors(radius: f64, distance: f64, accuracy: Accuracy) -> Errors {
         geometry: Geometry::Sphere { center, radius },
         transform: Transform::default(),
         material: 0,
+        velocity: DVec3::ZERO,
     };
     let mut scene = white_scene(vec![sphere]);
     scene.camera.eye = DVec3::ZERO;

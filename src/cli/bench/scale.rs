@@ -102,15 +102,18 @@ fn knot(detail: u32) -> Scene {
         materials: vec![Material {
             name: "white".into(),
             albedo: [0.8; 3],
+            ..Material::default()
         }],
         lights: vec![Light::Directional {
             direction: glam::DVec3::new(1.0, 2.0, 3.0),
             color: [1.0; 3],
+            shadow: false,
         }],
         shapes: vec![Shape {
             geometry: Geometry::Mesh(Arc::new(mesh::build(Builtin::Knot, detail))),
             transform: Transform::default(),
             material: 0,
+            velocity: glam::DVec3::ZERO,
         }],
         ..Scene::default()
     };

@@ -16,6 +16,7 @@ fn valid() -> Scene {
             up: DVec3::Y,
             fov_degrees: 60.0,
             sampling: PixelSampling::Center,
+            ..Camera::default()
         },
         background: Background::plain([0.0; 3]),
         ambient: [0.1; 3],
@@ -23,13 +24,16 @@ fn valid() -> Scene {
             position: DVec3::ONE,
             color: [1.0; 3],
             falloff: Falloff::None,
+            shadow: false,
         }],
         materials: vec![Material {
             name: "grey".into(),
             albedo: [0.5; 3],
+            ..Material::default()
         }],
         shapes: vec![placed(sphere(1.0)), placed(mesh())],
         groups: Vec::new(),
+        ..Scene::default()
     }
 }
 
@@ -38,6 +42,7 @@ fn placed(geometry: Geometry) -> Shape {
         geometry,
         transform: Transform::default(),
         material: 0,
+        velocity: glam::DVec3::ZERO,
     }
 }
 
@@ -55,6 +60,7 @@ fn mesh() -> Geometry {
         normals: vec![DVec3::Z],
         triangle_normals: vec![[0; 3]],
         triangle_materials: vec![0],
+        ..Mesh::default()
     }))
 }
 
@@ -117,6 +123,7 @@ fn lights_are_checked_and_numbered() {
     let dark = Light::Directional {
         direction: DVec3::ZERO,
         color: [1.0; 3],
+        shadow: false,
     };
     starts(said(|s| s.lights.push(dark)), "light 1: `direction`");
 }

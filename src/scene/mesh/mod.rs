@@ -150,5 +150,6 @@ fn smooth(
         triangle_normals: triangles.clone(),
         triangles,
         triangle_materials: Vec::new(),
+        ..Mesh::default()
     }
 }

@@ -50,6 +50,7 @@ pub(super) fn resolve(
         .map(|name| Material {
             name: name.clone(),
             albedo: albedos.get(name).copied().unwrap_or(DEFAULT_ALBEDO),
+            ..Material::default()
         })
         .collect();
     let some_name_none = notes.faces.iter().any(|face| face.material == NO_MATERIAL);
@@ -57,6 +58,7 @@ pub(super) fn resolve(
         materials.push(Material {
             name: DEFAULT_NAME.to_string(),
             albedo: DEFAULT_ALBEDO,
+            ..Material::default()
         });
     }
     Ok(materials)

@@ -172,10 +172,12 @@ mod tests {
             normals: vec![DVec3::Z],
             triangle_normals: vec![[0; 3]; 2],
             triangle_materials: vec![1, 0],
+            ..Mesh::default()
         };
         let material = |name: &str| Material {
             name: name.into(),
             albedo: [0.5; 3],
+            ..Material::default()
         };
         Asset::new(mesh, vec![material("a"), material("b")]).expect("a good mesh")
     }
@@ -186,6 +188,7 @@ mod tests {
         let mut scene = vec![Material {
             name: "before".into(),
             albedo: [0.0; 3],
+            ..Material::default()
         }];
         let smooth = asset.variant(true, true, &mut scene);
         let flat = asset.variant(false, true, &mut scene);

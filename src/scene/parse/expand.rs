@@ -90,6 +90,7 @@ pub(super) fn expand(
             geometry: geometry.clone(),
             transform: Transform { linear, translate },
             material: palette.index(material),
+            velocity: glam::DVec3::ZERO,
         }));
         origins.push((first..shapes.len(), draft.span.clone()));
         // A group's own shapes stand side by side.

@@ -111,7 +111,11 @@ impl Palette {
     }
 
     fn push(&mut self, name: String, albedo: Rgb) -> usize {
-        self.materials.push(Material { name, albedo });
+        self.materials.push(Material {
+            name,
+            albedo,
+            ..Material::default()
+        });
         self.materials.len() - 1
     }
 }

@@ -69,6 +69,7 @@ pub(super) fn camera(mut section: Section<'_, '_>, faults: &mut Faults<'_>) -> O
         up,
         fov_degrees,
         sampling,
+        ..Camera::default()
     })
 }
 
@@ -146,6 +147,7 @@ pub(super) fn light(mut section: Section<'_, '_>, faults: &mut Faults<'_>) -> Op
                     position: position.value,
                     color: bright,
                     falloff,
+                    shadow: false,
                 })
         }
         Some(LightKind::Directional) => section
@@ -153,6 +155,7 @@ pub(super) fn light(mut section: Section<'_, '_>, faults: &mut Faults<'_>) -> Op
             .map(|direction| Light::Directional {
                 direction: direction.value,
                 color: bright,
+                shadow: false,
             }),
         None => {
             // Which keys belong here cannot be said without the kind.

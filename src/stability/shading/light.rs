@@ -94,6 +94,7 @@ fn lamp(position: DVec3) -> Light {
         position,
         color: [1.0; 3],
         falloff: Falloff::InverseSquare,
+        shadow: false,
     }
 }
 
@@ -115,11 +116,13 @@ fn behind() -> Result<Box<dyn Trial>> {
     let parallel = |direction| Light::Directional {
         direction,
         color: [1.0; 3],
+        shadow: false,
     };
     let point = |position: [f64; 3]| Light::Point {
         position: position.into(),
         color: [1.0; 3],
         falloff: Falloff::None,
+        shadow: false,
     };
     let trials = vec![
         dark(
