@@ -28,6 +28,7 @@ pub mod hit;
 pub mod lambert;
 pub mod mirror;
 pub mod near_spheres;
+pub mod numbers;
 pub mod offset;
 pub mod own_box;
 pub mod path;
