@@ -15,6 +15,7 @@ pub mod ball;
 pub mod balls;
 pub mod boxes;
 pub mod camera;
+pub mod circle;
 pub mod cone;
 pub mod count;
 pub mod directional_lights;
