@@ -42,7 +42,7 @@ struct MaterialRecord {
 
 struct LightRecord {
     vector: vec3<f32>,
-    inverse_square: u32,
+    flags: u32,
     color: vec3<f32>,
 }
 
@@ -124,8 +124,8 @@ struct Dispatch {
     last: u32,
     first_doubtful: u32,
     legs: u32,
-    padding_0: u32,
-    padding_1: u32,
+    sample: u32,
+    band_row: u32,
 }
 
 struct HitRecord {

@@ -10,7 +10,8 @@ fn point_irradiance(light: LightRecord, position: vec3<f32>, normal: vec3<f32>) 
         return vec3<f32>(0.0, 0.0, 0.0);
     }
     let cosine = divide_f32(along, square_root_f32(square));
-    if light.inverse_square == 0u {
+    // In a scene that throws no shadows this is the only flag.
+    if light.flags == 0u {
         return light.color * cosine;
     }
     return light.color * divide_f32(cosine, square);

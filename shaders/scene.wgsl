@@ -26,6 +26,11 @@ fn material_of(id: u32) -> MaterialRecord {
     return MaterialRecord(floats_at(tables.materials, index).xyz);
 }
 
+// Set in a light's flags: it weakens with the square of the distance, it throws shadows; as
+// in src/layout.rs.
+const WEAKENS: u32 = 1u;
+const SHADOW: u32 = 2u;
+
 // Light `index`.
 fn light_at(index: u32) -> LightRecord {
     let first = fetch(tables.lights + 2u * index);

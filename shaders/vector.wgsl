@@ -53,3 +53,14 @@ fn face_viewer(n: vec3<real>, direction: vec3<real>) -> vec3<real> {
     }
     return n;
 }
+
+// v / by, one division a component.
+fn divided(v: vec3<real>, by: real) -> vec3<real> {
+    return vec3<real>(divide(v.x, by), divide(v.y, by), divide(v.z, by));
+}
+
+// The largest component of v.
+fn largest_coordinate(v: vec3<real>) -> real {
+    let xy = select(v.y, v.x, v.x > v.y);
+    return select(v.z, xy, xy > v.z);
+}

@@ -8,9 +8,11 @@
 mod leaf;
 #[macro_use]
 mod record;
+mod samples;
 
 pub use leaf::{leaf_of, leaf_parts};
 pub use record::Record;
+pub use samples::{FinishRecord, SamplingRecord, Tally};
 
 use bytemuck::{Pod, Zeroable};
 
@@ -39,6 +41,12 @@ pub const LEAF_KIND: u32 = 29;
 
 /// A leaf's count less one is at this bit, below the kind.
 pub const LEAF_COUNT: u32 = 26;
+
+/// Set in a light's flags: it weakens with the square of the distance.
+pub const WEAKENS: u32 = 1;
+
+/// Set in a light's flags: shapes keep it off others.
+pub const SHADOW: u32 = 2;
 
 /// A leaf that no tree has: in place of a pair's index or a leaf, nothing.
 pub const NOWHERE: u32 = u32::MAX;
@@ -202,8 +210,8 @@ records! {
         /// A point light's position, camera-relative, or a directional light's
         /// unit vector towards it.
         vector: [f32; 3],
-        /// 1 where the light weakens with the square of the distance, else 0.
-        inverse_square: u32,
+        /// [`WEAKENS`], [`SHADOW`], or none of them.
+        flags: u32,
         /// Colour times intensity.
         color: [f32; 3],
         /// Unused.
@@ -329,8 +337,10 @@ records! {
         first_doubtful: u32,
         /// Of paths, how far they are followed: rays one after the other.
         legs: u32,
-        /// Unused.
-        padding: [u32; 2],
+        /// Of a picture's samples, the one that is taken.
+        sample: u32,
+        /// Of a picture's samples, the first row that is kept.
+        band_row: u32,
     }
 
     /// A pixel's closest hit so far, carried from one dispatch to the next.

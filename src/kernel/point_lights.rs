@@ -14,7 +14,8 @@ fn point_irradiance(light: &LightRecord, position: Vec3<f32>, normal: Vec3<f32>)
         return vec3(0.0, 0.0, 0.0);
     }
     let cosine = divide(along, square_root(square));
-    if light.inverse_square == 0 {
+    // In a scene that throws no shadows this is the only flag.
+    if light.flags == 0 {
         return Vec3::from(light.color) * cosine;
     }
     Vec3::from(light.color) * divide(cosine, square)

@@ -134,3 +134,14 @@ pub fn face_viewer<R: Real>(n: Vec3<R>, direction: Vec3<R>) -> Vec3<R> {
         n
     }
 }
+
+/// v / by, one division a component.
+pub fn divided<R: Real>(v: Vec3<R>, by: R) -> Vec3<R> {
+    vec3(divide(v.x, by), divide(v.y, by), divide(v.z, by))
+}
+
+/// The largest component of v.
+pub fn largest_coordinate<R: Real>(v: Vec3<R>) -> R {
+    let xy = if v.x > v.y { v.x } else { v.y };
+    if xy > v.z { xy } else { v.z }
+}
