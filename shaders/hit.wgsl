@@ -5,6 +5,9 @@ const NO_HIT: u32 = 0xffffffffu;
 // In place of a hit's tests: the ray was given up.
 const GIVEN_UP: u32 = 0xffffffffu;
 
+// In place of a ray's tile: it is none of the rays that go through one of a tile's pixels.
+const NO_TILE: u32 = 0xffffffffu;
+
 // The closest hit so far.
 struct Hit {
     // The ray's parameter there, or MISS.

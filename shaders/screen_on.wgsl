@@ -17,7 +17,7 @@ fn tile_of(size: vec2<u32>, x: u32, y: u32) -> u32 {
 // Whether rays of the tile may meet an entry of the list.
 fn is_on_tile(tile: u32, entry: u32) -> bool {
     let word = entry / WORD;
-    if word >= tables.tile_words {
+    if tile == NO_TILE || word >= tables.tile_words {
         return true;
     }
     return ((masks[tile * tables.tile_words + word] >> (entry % WORD)) & 1u) == 1u;
