@@ -12,8 +12,8 @@ use crate::flatten::camera_power;
 use crate::kernel::near_spheres::{FAR, is_near};
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Pair, Plane,
-    QUAD, Sphere, Surroundings, Volume,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, FinishRecord, LightRecord, MaterialRecord,
+    Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings, Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -45,6 +45,12 @@ pub struct Flat<R> {
     pub lights: Vec<LightRecord>,
     /// All materials.
     pub materials: Vec<MaterialRecord>,
+    /// Of each material, how it answers light besides its albedo.
+    pub finishes: Vec<FinishRecord>,
+    /// How the picture is sampled.
+    pub sampling: SamplingRecord,
+    /// Samples of a pixel.
+    pub samples: u32,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -165,6 +171,11 @@ impl<R> Flat<R> {
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
+            shadowed_lights: self.lights.iter().filter(|light| light.flags & SHADOW != 0).count(),
+            emissions: self.finishes.iter().filter(|finish| finish.emission != [0.0; 3]).count(),
+            occlusion: self.sampling.occlusion > 0.0,
+            bounces: self.sampling.bounces,
+            samples: self.samples,
         }
     }
 
@@ -246,4 +257,17 @@ pub struct Counts {
     pub directional_lights: usize,
     /// Materials.
     pub materials: usize,
+    /// Point lights and directional lights that throw shadows.
+    pub shadowed_lights: usize,
+    /// Materials that shine by themselves.
+    pub emissions: usize,
+    /// Whether ambient light may be kept off.
+    #[serde(skip)]
+    pub occlusion: bool,
+    /// How often light may be scattered on its way.
+    #[serde(skip)]
+    pub bounces: u32,
+    /// Samples of a pixel.
+    #[serde(skip)]
+    pub samples: u32,
 }

@@ -4,6 +4,7 @@
 //! a scene far from the origin loses nothing. A transform's translation meets
 //! the camera's position first, then the small coordinates.
 
+mod finish;
 mod mesh;
 
 use std::ops::Range;
@@ -11,12 +12,13 @@ use std::sync::OnceLock;
 
 use glam::{DMat3, DVec3};
 
+use self::finish::{finish, sampling};
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, Sphere,
-    Surroundings,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, SHADOW,
+    Sphere, Surroundings, WEAKENS,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, GroupBound, Light, PixelSampling, Scene, Shape, Transform,
@@ -47,6 +49,9 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         },
         lights: Vec::new(),
         materials: Vec::new(),
+        finishes: scene.materials.iter().map(finish).collect(),
+        sampling: sampling(scene),
+        samples: scene.integrator.samples,
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),
@@ -104,12 +109,12 @@ fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
             position,
             color: light_color,
             falloff,
-            ..
+            shadow,
         } = *light
         {
             flat.lights.push(LightRecord {
                 vector: (position - eye).as_vec3().to_array(),
-                inverse_square: u32::from(falloff == Falloff::InverseSquare),
+                flags: light_flags(falloff == Falloff::InverseSquare, shadow),
                 color: color(light_color),
                 padding: 0.0,
             });
@@ -120,17 +125,22 @@ fn push_lights<R>(flat: &mut Flat<R>, lights: &[Light], eye: DVec3) {
         if let Light::Directional {
             direction,
             color: light_color,
-            ..
+            shadow,
         } = *light
         {
             flat.lights.push(LightRecord {
                 vector: direction.normalize().as_vec3().to_array(),
-                inverse_square: 0,
+                flags: light_flags(false, shadow),
                 color: color(light_color),
                 padding: 0.0,
             });
         }
     }
+}
+
+fn light_flags(weakens: bool, throws_shadows: bool) -> u32 {
+    let flag = |flag, is_set| if is_set { flag } else { 0 };
+    flag(WEAKENS, weakens) | flag(SHADOW, throws_shadows)
 }
 
 /// The primitives kind by kind, so that ids run through each kind in the order

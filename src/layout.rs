@@ -12,7 +12,7 @@ mod samples;
 
 pub use leaf::{leaf_of, leaf_parts};
 pub use record::Record;
-pub use samples::{FinishRecord, SamplingRecord, Tally};
+pub use samples::{FinishRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord, Tally};
 
 use bytemuck::{Pod, Zeroable};
 

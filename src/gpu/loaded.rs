@@ -12,13 +12,15 @@ use crate::effects::{Device, Entry, Fetch, shader_files};
 use crate::error::Result;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::Tables;
+use crate::layout::{SamplingRecord, Tables};
 
 /// A scene, uploaded, and its shader, compiled.
 pub(super) struct Loaded {
     pub(super) kernel: Kernel,
     /// Where the scene's tables begin.
     pub(super) tables: Tables,
+    /// How paths of light are sampled, and where their tables begin.
+    pub(super) sampling: SamplingRecord,
     /// Where the scene lies.
     pub(super) fetch: Fetch,
     memory: SceneMemory,
@@ -39,7 +41,11 @@ impl Loaded {
         portions: Portions,
         change: &dyn Fn(&mut Vec<Source>),
     ) -> Result<Self> {
-        let scene = PackedScene::of(flat);
+        let mut scene = PackedScene::of(flat);
+        let mut sampling = flat.sampling;
+        if entry == Entry::Samples {
+            sampling = scene.add_path_tables(flat);
+        }
         let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
         let device = Device {
             count: portions.count,
@@ -56,6 +62,7 @@ impl Loaded {
             kernel,
             memory: SceneMemory::upload(gpu, &scene, fetch)?,
             tables: scene.tables,
+            sampling,
             fetch,
         })
     }

@@ -4,7 +4,7 @@ use bytemuck::{Pod, cast_slice};
 
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{QUAD, Tables};
+use crate::layout::{QUAD, SamplingRecord, Tables};
 use crate::tier::parts_of;
 
 /// Four words.
@@ -48,6 +48,15 @@ impl PackedScene {
             quads.push([0; QUAD]);
         }
         Self { quads, tables }
+    }
+
+    /// Packs what only paths of light read, and tells where it lies.
+    pub(super) fn add_path_tables<R: Real>(&mut self, flat: &Flat<R>) -> SamplingRecord {
+        let quads = &mut self.quads;
+        SamplingRecord {
+            finishes: push_records(quads, &flat.finishes),
+            ..flat.sampling
+        }
     }
 
     /// Bytes of all the quads.

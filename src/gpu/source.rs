@@ -26,6 +26,11 @@ impl Source {
         }
     }
 
+    /// Whether it is the same file, taken for the same numbers.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.name == other.name && self.single == other.single
+    }
+
     /// The file once more for f32: `real` becomes `f32`, and each name that it defines gets
     /// the ending `_f32`. WGSL has no generics.
     pub const fn in_f32(self) -> Self {

@@ -77,7 +77,8 @@ impl Tile {
             last: 1,
             first_doubtful: 0,
             legs: 0,
-            padding: [0; 2],
+            sample: 0,
+            band_row: 0,
         }
     }
 }

@@ -1,11 +1,10 @@
 //! Holes in shapes: where a texture's alpha is small, there is nothing.
 
 use super::camera::Ray;
-use super::hit::{Hit, no_hit};
+use super::hit::{Hit, NO_TILE, no_hit};
 use super::integrator::Path;
 use super::probe::probe_of;
 use super::real::{Real, constant};
-use super::screen::NO_TILE;
 use super::tracer::Tracer;
 use super::vector::Vec3;
 use crate::flat::Flat;

@@ -7,6 +7,9 @@ use crate::layout::NO_HIT;
 /// In place of a hit's tests: the ray was given up.
 pub const GIVEN_UP: u32 = u32::MAX;
 
+/// In place of a ray's tile: it is none of the rays that go through one of a tile's pixels.
+pub const NO_TILE: u32 = u32::MAX;
+
 /// The closest hit so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit<R> {

@@ -3,6 +3,7 @@
 
 use super::camera::camera_ray;
 use super::cone::{Cone, cone_around, cone_meets_ball};
+use super::hit::NO_TILE;
 use super::real::Real;
 use crate::flat::Flat;
 use crate::layout::EVERYTHING;
@@ -18,7 +19,7 @@ pub fn tile_of(size: [u32; 2], x: u32, y: u32) -> u32 {
 /// Whether rays of the tile may meet an entry of the list.
 pub fn is_on_tile<R: Real>(flat: &Flat<R>, tile: u32, entry: u32) -> bool {
     let word = entry / WORD;
-    if word >= flat.tile_words {
+    if tile == NO_TILE || word >= flat.tile_words {
         return true;
     }
     let bits = flat.tile_masks()[(tile * flat.tile_words + word) as usize];

@@ -1,0 +1,116 @@
+//! What a scene calls for, and which shader files that brings in.
+//!
+//! What a scene does not call for is not in its shader: not branched over but absent, its
+//! bindings too. [`table`] is the only place that knows; nothing else in the program asks
+//! whether an effect is on.
+
+mod device;
+mod files;
+pub mod table;
+
+pub use device::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, Entry, Fetch};
+pub use files::{select_files, shader_files};
+pub use table::EFFECTS;
+
+use crate::flat::Counts;
+use crate::gpu::program::Source;
+
+/// The shader file of a name, with its text.
+macro_rules! file {
+    ($name:literal) => {
+        $crate::gpu::program::Source::new($name, include_str!(concat!("../../shaders/", $name)))
+    };
+}
+use file;
+
+/// A part of the shader that only some scenes need.
+pub struct Effect {
+    /// The name for people.
+    pub name: &'static str,
+    /// What kind of part it is.
+    pub part: Part,
+    /// Whether the scene calls for it.
+    called_for: fn(&Counts) -> bool,
+    /// The shader files with it.
+    on: &'static [Source],
+    /// The shader files without it: the same functions, doing nothing.
+    off: &'static [Source],
+    /// Those that paths of light need besides, with it and without.
+    along_paths: [&'static [Source]; 2],
+    /// The buffers that it brings, by the names of the shader's variables.
+    pub bindings: &'static [&'static str],
+}
+
+/// What kind of part of the shader an effect is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Primitives of a kind.
+    Primitives,
+    /// Bounding volumes of a kind: what `--bounds` chooses.
+    Bounds,
+    /// Light, or what a surface looks like, in every picture.
+    Light,
+    /// Light by way of further rays, or by many samples: pictures that have such an effect
+    /// are made of samples, by a path each.
+    Path,
+}
+
+impl Effect {
+    const fn new(
+        name: &'static str,
+        part: Part,
+        called_for: fn(&Counts) -> bool,
+        on: &'static [Source],
+        off: &'static [Source],
+    ) -> Self {
+        Self {
+            name,
+            part,
+            called_for,
+            on,
+            off,
+            along_paths: [&[], &[]],
+            bindings: &[],
+        }
+    }
+
+    /// With further files for paths of light.
+    const fn along_paths(self, on: &'static [Source], off: &'static [Source]) -> Self {
+        Self {
+            along_paths: [on, off],
+            ..self
+        }
+    }
+
+    /// With buffers of its own.
+    const fn binding(self, bindings: &'static [&'static str]) -> Self {
+        Self { bindings, ..self }
+    }
+
+    /// The shader files with the effect, or without it, as an entry needs them.
+    pub fn files(&self, on: bool, entry: Entry) -> impl Iterator<Item = Source> {
+        let concerns = entry == Entry::Samples || self.part != Part::Path;
+        let everywhere = if on { self.on } else { self.off };
+        let along = self.along_paths[usize::from(!on)];
+        let along: &[Source] = if entry == Entry::Samples { along } else { &[] };
+        let files = everywhere.iter().chain(along).copied();
+        files.filter(move |_| concerns)
+    }
+
+    /// Whether a scene calls for it.
+    pub fn is_called_for(&self, counts: &Counts) -> bool {
+        (self.called_for)(counts)
+    }
+}
+
+/// The names of the effects that the scene calls for.
+pub fn effects_of(counts: &Counts) -> Vec<&'static str> {
+    let on = EFFECTS.iter().filter(|effect| effect.is_called_for(counts));
+    on.map(|effect| effect.name).collect()
+}
+
+/// Whether a scene's pictures are made of samples, by a path each, since an effect asks for it.
+pub fn takes_samples(counts: &Counts) -> bool {
+    let mut paths = EFFECTS.iter().filter(|effect| effect.part == Part::Path);
+    paths.any(|effect| effect.is_called_for(counts))
+}

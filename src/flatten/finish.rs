@@ -1,0 +1,43 @@
+//! What only pictures of many samples read: how surfaces answer light besides their albedo,
+//! and how paths are sampled.
+
+use super::color;
+use crate::layout::{FinishRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord};
+use crate::scene::{Material, Scene, Strategy};
+
+/// How a material answers light besides its albedo.
+pub(super) fn finish(material: &Material) -> FinishRecord {
+    FinishRecord {
+        mirror: color(material.mirror),
+        width: (material.roughness * material.roughness) as f32,
+        emission: color(material.emission),
+        ior: material.ior.unwrap_or(0.0) as f32,
+        absorption: color(material.absorption),
+        lamp: NONE,
+        texture: NONE,
+        is_cutout: u32::from(material.cutout),
+        energies: 0,
+        padding: 0,
+    }
+}
+
+/// How a scene is sampled.
+pub(super) fn sampling(scene: &Scene) -> SamplingRecord {
+    let integrator = &scene.integrator;
+    // Where nothing is mirrored or clear, no path is.
+    let is_bent = |material: &Material| material.mirror != [0.0; 3] || material.ior.is_some();
+    let reflects = scene.materials.iter().any(is_bent);
+    SamplingRecord {
+        seed: integrator.seed,
+        bounces: integrator.bounces,
+        reflections: if reflects { integrator.reflections } else { 0 },
+        strategy: match integrator.strategy {
+            Strategy::Both => 0,
+            Strategy::Lights => ONLY_LIGHTS,
+            Strategy::Surfaces => ONLY_SURFACES,
+        },
+        spread: if integrator.samples > 1 { 1.0 } else { 0.0 },
+        occlusion: scene.occlusion as f32,
+        ..SamplingRecord::default()
+    }
+}
