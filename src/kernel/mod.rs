@@ -25,6 +25,7 @@ pub mod disk_meeting;
 pub mod disks;
 pub mod divide;
 pub mod doubt;
+pub mod exponential;
 pub mod frame;
 pub mod hit;
 pub mod lambert;
