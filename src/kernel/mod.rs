@@ -10,6 +10,7 @@
 //! reading.
 
 pub mod aabb;
+pub mod angles;
 pub mod background;
 pub mod ball;
 pub mod balls;
