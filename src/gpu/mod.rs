@@ -25,6 +25,8 @@ pub mod rays;
 pub mod render;
 mod retrace;
 mod samples;
+#[cfg(test)]
+mod sampling_tests;
 mod scene;
 mod scratch;
 mod screen;
