@@ -44,6 +44,7 @@ mod ramp;
 pub mod random;
 pub mod render;
 pub mod report;
+pub mod samples;
 pub mod scene;
 pub mod stability;
 pub mod tier;

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::bounds::{self, Bounds};
 use crate::count::{CountMap, Counters};
-use crate::effects::effects_of;
+use crate::effects::{effects_of, takes_samples};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::flatten::flatten;
@@ -16,6 +16,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::render::{Portions, adaptive, may_retrace};
 use crate::kernel::real::Real;
 use crate::layout::Pixel;
+use crate::samples::{Enough, Preview, Taken, take_samples};
 use crate::scene::Scene;
 pub use crate::tier::Accuracy;
 use crate::tier::{Bounded, Double, Extended, Robust, Textbook};
@@ -113,6 +114,15 @@ pub struct Stats {
     pub height: u32,
     /// Rays through a pixel.
     pub samples: u32,
+    /// The estimated error of a picture of samples, see [`Taken::noise`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise: Option<f64>,
+    /// Samples that were no numbers, and left out.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub faults: u64,
+    /// The first pixel that has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_fault: Option<[u32; 2]>,
     /// Formulas and width.
     pub accuracy: Accuracy,
     /// The bounding volumes in use.
@@ -127,7 +137,7 @@ pub struct Stats {
     pub trace_ms: f64,
     /// The part of it in which the bounding volumes were built.
     pub build_ms: f64,
-    /// Rays traced.
+    /// Rays traced through pixels, those that they lead to not counted.
     pub rays: u64,
     /// Those of them that were in doubt and traced again, in the adaptive tier.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -169,17 +179,42 @@ pub fn render(
     settings: impl Into<Settings>,
     watch: &dyn Watch,
 ) -> Result<Rendering> {
+    render_until(scene, backend, settings, watch, Until::default())
+}
+
+/// When a picture that is made of samples has enough of them, and what is shown on the way.
+#[derive(Default)]
+pub struct Until<'a> {
+    /// When it ends before it has all its samples.
+    pub enough: Enough,
+    /// What is shown on the way.
+    pub preview: Option<Preview<'a>>,
+}
+
+/// As [`render`]; a picture that is made of samples may end before it has all of them, or be
+/// shown on the way.
+///
+/// # Errors
+///
+/// As [`render`], and those of the preview.
+pub fn render_until(
+    scene: &Scene,
+    backend: &Backend,
+    settings: impl Into<Settings>,
+    watch: &dyn Watch,
+    until: Until<'_>,
+) -> Result<Rendering> {
     scene.validate()?;
     let settings = settings.into();
     if let Some(reason) = backend.lacks(settings.accuracy) {
         return Err(Error::Usage(reason));
     }
     match settings.accuracy {
-        Accuracy::Textbook => plainly::<Textbook>(scene, backend, settings, watch),
-        Accuracy::Robust => plainly::<Robust>(scene, backend, settings, watch),
-        Accuracy::Extended => plainly::<Extended>(scene, backend, settings, watch),
-        Accuracy::Double => plainly::<Double>(scene, backend, settings, watch),
-        Accuracy::Adaptive => run::<Double>(scene, backend, settings, &mut |flat, keep| {
+        Accuracy::Textbook => plainly::<Textbook>(scene, backend, settings, watch, until),
+        Accuracy::Robust => plainly::<Robust>(scene, backend, settings, watch, until),
+        Accuracy::Extended => plainly::<Extended>(scene, backend, settings, watch, until),
+        Accuracy::Double => plainly::<Double>(scene, backend, settings, watch, until),
+        Accuracy::Adaptive => run::<Double>(scene, backend, settings, watch, until, &mut |flat, keep| {
             if !may_retrace(flat, Portions::default()) {
                 // So many primitives by brute force, or lights: in f64 from the beginning.
                 trace_plainly(flat, backend, watch, keep)?;
@@ -208,8 +243,9 @@ fn plainly<R: Real>(
     backend: &Backend,
     settings: Settings,
     watch: &dyn Watch,
+    until: Until<'_>,
 ) -> Result<Rendering> {
-    run::<R>(scene, backend, settings, &mut |flat, keep| {
+    run::<R>(scene, backend, settings, watch, until, &mut |flat, keep| {
         trace_plainly(flat, backend, watch, keep)?;
         Ok(0)
     })
@@ -297,6 +333,8 @@ fn run<R: Real>(
     scene: &Scene,
     backend: &Backend,
     settings: Settings,
+    watch: &dyn Watch,
+    until: Until<'_>,
     trace: &mut Trace<'_, R>,
 ) -> Result<Rendering> {
     let started = Instant::now();
@@ -307,7 +345,17 @@ fn run<R: Real>(
     let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
-    let mut retraced = trace_and_keep(&flat, trace, &mut frame)?;
+    let samples = takes_samples(&flat.counts());
+    let mut taken = Taken {
+        samples: 1,
+        ..Taken::default()
+    };
+    let mut retraced = if samples {
+        taken = sample(&flat, backend, &mut frame, watch, until)?;
+        Some(0)
+    } else {
+        trace_and_keep(&flat, trace, &mut frame)?
+    };
     if retraced.is_none() {
         tracing::warn!("some rays meet too many volumes: tracing without volumes");
         bounds = Bounds::None;
@@ -315,7 +363,7 @@ fn run<R: Real>(
         retraced = trace_and_keep(&flat, trace, &mut frame)?;
     }
     let trace_ms = milliseconds(trace_started);
-    let rays = u64::from(frame.width) * u64::from(frame.height);
+    let rays = u64::from(frame.width) * u64::from(frame.height) * u64::from(taken.samples);
     let adapter = match backend {
         Backend::Cpu(_) => None,
         Backend::Gpu(gpu) => Some(&gpu.adapter),
@@ -326,7 +374,10 @@ fn run<R: Real>(
         driver: adapter.map(|adapter| adapter.driver.clone()),
         width: frame.width,
         height: frame.height,
-        samples: 1,
+        samples: taken.samples,
+        noise: taken.noise,
+        faults: taken.faults,
+        first_fault: taken.first_fault,
         accuracy: settings.accuracy,
         bounds,
         effects: effects_of(&flat.counts()),
@@ -335,7 +386,7 @@ fn run<R: Real>(
         trace_ms,
         build_ms,
         rays,
-        retraced: retraced.filter(|_| settings.accuracy == Accuracy::Adaptive),
+        retraced: retraced.filter(|_| settings.accuracy == Accuracy::Adaptive && !samples),
         mrays_per_s: rays as f64 / trace_ms.max(1e-6) / 1e3,
         device_bytes: flat.bytes(),
         counters: None,
@@ -355,6 +406,33 @@ fn trace_and_keep<R: Real>(
         complete &= frame.keep_rows(row, pixels);
     })?;
     Ok(complete.then_some(retraced))
+}
+
+/// Takes the samples of a picture that is made of them.
+fn sample<R: Real>(
+    flat: &Flat<R>,
+    backend: &Backend,
+    frame: &mut Frame,
+    watch: &dyn Watch,
+    mut until: Until<'_>,
+) -> Result<Taken> {
+    let enough = until.enough;
+    match backend {
+        Backend::Cpu(threads) => {
+            let mut sampler = cpu::sampled::Sampled::new(flat, *threads)?;
+            take_samples(&mut sampler, frame, flat.samples, enough, watch, until.preview)
+        }
+        Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
+            let mut sampler = gpu::sampled::Sampled::new(gpu, flat, Portions::default())?;
+            let preview = until.preview.as_mut().map(Preview::again);
+            take_samples(&mut sampler, frame, flat.samples, enough, watch, preview)
+        }),
+    }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+fn is_zero(number: &u64) -> bool {
+    *number == 0
 }
 
 /// Traces on the GPU; a device that is lost on the way is opened anew, once.

@@ -3,6 +3,7 @@
 pub mod block;
 pub mod paths;
 pub mod rays;
+pub mod sampled;
 pub mod search;
 pub mod wide;
 

@@ -24,7 +24,10 @@ mod ray_list;
 pub mod rays;
 pub mod render;
 mod retrace;
+pub mod sampled;
 mod samples;
+#[cfg(test)]
+mod sampling_tests;
 mod scene;
 mod scratch;
 mod screen;

@@ -10,6 +10,7 @@
 //! reading.
 
 pub mod aabb;
+pub mod angles;
 pub mod anti_aliasing;
 pub mod background;
 pub mod ball;
@@ -32,7 +33,9 @@ pub mod disks;
 pub mod divide;
 pub mod doubt;
 pub mod emission;
+pub mod exponential;
 pub mod fog;
+pub mod frame;
 pub mod hard_shadows;
 pub mod hit;
 pub mod indirect;
