@@ -7,6 +7,6 @@ fn is_shadowed(path: ptr<function, Path>, surface: Surface, arriving: Arriving) 
     }
     let towards = arriving.towards;
     let origin = leave_surface(surface.position, surface.facing, towards, surface.reach);
-    let direction = select(arriving.target - origin, arriving.target, arriving.is_far);
+    let direction = select(arriving.goal - origin, arriving.goal, arriving.is_far);
     return is_blocked(path, origin, direction, arriving.limit);
 }

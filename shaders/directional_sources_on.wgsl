@@ -6,8 +6,8 @@ fn arriving_from_direction(light: u32) -> Arriving {
     var arriving = nothing_arriving();
     arriving.towards = lamp.vector;
     arriving.color = lamp.color;
-    arriving.target = lamp.vector;
+    arriving.goal = lamp.vector;
     arriving.is_far = true;
-    arriving.limit = shadow_limit(lamp.flags, FARTHEST);
+    arriving.limit = shadow_limit(lamp.flags, ENDLESS);
     return arriving;
 }

@@ -15,7 +15,7 @@ fn arriving_from_point(light: u32, position: vec3<f32>) -> Arriving {
     if (lamp.flags & WEAKENS) != 0u {
         arriving.square = square;
     }
-    arriving.target = lamp.vector;
+    arriving.goal = lamp.vector;
     arriving.limit = shadow_limit(lamp.flags, 1.0);
     return arriving;
 }

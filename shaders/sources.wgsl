@@ -9,7 +9,7 @@ struct Arriving {
     color: vec3<f32>,
     square: f32,
     // The point of the source, or the direction to it, from where it is infinitely far.
-    target: vec3<f32>,
+    goal: vec3<f32>,
     is_far: bool,
     // Something before this part of the way keeps it off; 0 where nothing does.
     limit: f32,
@@ -19,7 +19,7 @@ struct Arriving {
 }
 
 // The farthest that a shadow ray may look.
-const FARTHEST: f32 = 3.4028234663852886e38;
+const ENDLESS: f32 = 3.4028234663852886e38;
 
 // Nothing comes.
 fn nothing_arriving() -> Arriving {

@@ -171,8 +171,16 @@ impl<R> Flat<R> {
             point_lights,
             directional_lights: self.lights.len() - point_lights,
             materials: self.materials.len(),
-            shadowed_lights: self.lights.iter().filter(|light| light.flags & SHADOW != 0).count(),
-            emissions: self.finishes.iter().filter(|finish| finish.emission != [0.0; 3]).count(),
+            shadowed_lights: self
+                .lights
+                .iter()
+                .filter(|light| light.flags & SHADOW != 0)
+                .count(),
+            emissions: self
+                .finishes
+                .iter()
+                .filter(|finish| finish.emission != [0.0; 3])
+                .count(),
             occlusion: self.sampling.occlusion > 0.0,
             bounces: self.sampling.bounces,
             samples: self.samples,

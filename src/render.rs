@@ -214,26 +214,28 @@ pub fn render_until(
         Accuracy::Robust => plainly::<Robust>(scene, backend, settings, watch, until),
         Accuracy::Extended => plainly::<Extended>(scene, backend, settings, watch, until),
         Accuracy::Double => plainly::<Double>(scene, backend, settings, watch, until),
-        Accuracy::Adaptive => run::<Double>(scene, backend, settings, watch, until, &mut |flat, keep| {
-            if !may_retrace(flat, Portions::default()) {
-                // So many primitives by brute force, or lights: in f64 from the beginning.
-                trace_plainly(flat, backend, watch, keep)?;
-                return Ok(u64::from(flat.size[0]) * u64::from(flat.size[1]));
-            }
-            let first = flat.converted::<Bounded>();
-            match backend {
-                Backend::Cpu(threads) => {
-                    let prepared = cpu::Prepared::new(&first, *threads)?.with_second(flat);
-                    prepared.run(watch, keep)?;
-                    Ok(prepared.retraced())
+        Accuracy::Adaptive => {
+            run::<Double>(scene, backend, settings, watch, until, &mut |flat, keep| {
+                if !may_retrace(flat, Portions::default()) {
+                    // So many primitives by brute force, or lights: in f64 from the beginning.
+                    trace_plainly(flat, backend, watch, keep)?;
+                    return Ok(u64::from(flat.size[0]) * u64::from(flat.size[1]));
                 }
-                Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-                    let mut prepared = adaptive(gpu, &first, flat, Portions::default())?;
-                    prepared.run(watch, keep)?;
-                    Ok(prepared.retraced())
-                }),
-            }
-        }),
+                let first = flat.converted::<Bounded>();
+                match backend {
+                    Backend::Cpu(threads) => {
+                        let prepared = cpu::Prepared::new(&first, *threads)?.with_second(flat);
+                        prepared.run(watch, keep)?;
+                        Ok(prepared.retraced())
+                    }
+                    Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
+                        let mut prepared = adaptive(gpu, &first, flat, Portions::default())?;
+                        prepared.run(watch, keep)?;
+                        Ok(prepared.retraced())
+                    }),
+                }
+            })
+        }
     }
 }
 
@@ -420,7 +422,14 @@ fn sample<R: Real>(
     match backend {
         Backend::Cpu(threads) => {
             let mut sampler = cpu::sampled::Sampled::new(flat, *threads)?;
-            take_samples(&mut sampler, frame, flat.samples, enough, watch, until.preview)
+            take_samples(
+                &mut sampler,
+                frame,
+                flat.samples,
+                enough,
+                watch,
+                until.preview,
+            )
         }
         Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
             let mut sampler = gpu::sampled::Sampled::new(gpu, flat, Portions::default())?;
@@ -430,7 +439,10 @@ fn sample<R: Real>(
     }
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde asks for a reference"
+)]
 fn is_zero(number: &u64) -> bool {
     *number == 0
 }

@@ -23,7 +23,12 @@ pub trait Sampler {
     /// # Errors
     ///
     /// [`Error::DeviceLost`], [`Error::Interrupted`] when `watch` says so.
-    fn take(&mut self, sample: u32, watch: &dyn Watch, progress: &(dyn Fn(f64) + Sync)) -> Result<()>;
+    fn take(
+        &mut self,
+        sample: u32,
+        watch: &dyn Watch,
+        progress: &(dyn Fn(f64) + Sync),
+    ) -> Result<()>;
 
     /// Shows the sums of the samples so far, and what is kept besides.
     ///
@@ -122,7 +127,9 @@ pub fn take_samples(
                 && taken.is_multiple_of(LOOK_EVERY)
             {
                 let mut sums = Sums::default();
-                sampler.look(&mut |pixels, tallies| sums.add(pixels, tallies, taken, frame.width, 0))?;
+                sampler.look(&mut |pixels, tallies| {
+                    sums.add(pixels, tallies, taken, frame.width, 0)
+                })?;
                 if sums.noise().is_some_and(|found| found <= noise) {
                     break;
                 }
@@ -145,7 +152,10 @@ pub fn take_samples(
             keep_means(frame, rows.start, pixels, tallies, taken);
         })?;
         if let Some(index) = lost {
-            let (x, y) = (index as u32 % frame.width, rows.start + index as u32 / frame.width);
+            let (x, y) = (
+                index as u32 % frame.width,
+                rows.start + index as u32 / frame.width,
+            );
             return Err(Error::Limit(format!(
                 "a path through pixel ({x}, {y}) takes more steps than the driver allows: \
                  take fewer `bounces`, or bounds `tree`, or backend `cpu`"

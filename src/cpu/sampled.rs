@@ -77,7 +77,12 @@ impl<R: Real> Sampler for Sampled<'_, R> {
         self.tallies = vec![Tally::default(); pixels];
     }
 
-    fn take(&mut self, sample: u32, watch: &dyn Watch, progress: &(dyn Fn(f64) + Sync)) -> Result<()> {
+    fn take(
+        &mut self,
+        sample: u32,
+        watch: &dyn Watch,
+        progress: &(dyn Fn(f64) + Sync),
+    ) -> Result<()> {
         let (flat, wide) = (self.flat, self.wide.as_ref());
         let rows = self.rows.len() as f64;
         let width = flat.size[0] as usize;

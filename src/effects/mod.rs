@@ -48,6 +48,9 @@ pub enum Part {
     Primitives,
     /// Bounding volumes of a kind: what `--bounds` chooses.
     Bounds,
+    /// The screen, divided among the volumes: no use to rays that do not go through a pixel's
+    /// one point.
+    Screen,
     /// Light, or what a surface looks like, in every picture.
     Light,
     /// Light by way of further rays, or by many samples: pictures that have such an effect
@@ -89,10 +92,12 @@ impl Effect {
 
     /// The shader files with the effect, or without it, as an entry needs them.
     pub fn files(&self, on: bool, entry: Entry) -> impl Iterator<Item = Source> {
-        let concerns = entry == Entry::Samples || self.part != Part::Path;
+        let samples = entry == Entry::Samples;
+        let concerns = samples || self.part != Part::Path;
+        let on = on && !(samples && self.part == Part::Screen);
         let everywhere = if on { self.on } else { self.off };
         let along = self.along_paths[usize::from(!on)];
-        let along: &[Source] = if entry == Entry::Samples { along } else { &[] };
+        let along: &[Source] = if samples { along } else { &[] };
         let files = everywhere.iter().chain(along).copied();
         files.filter(move |_| concerns)
     }

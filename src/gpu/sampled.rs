@@ -122,7 +122,12 @@ impl<R: Real> Sampler for Sampled<'_, R> {
         self.rows = rows;
     }
 
-    fn take(&mut self, sample: u32, watch: &dyn Watch, progress: &(dyn Fn(f64) + Sync)) -> Result<()> {
+    fn take(
+        &mut self,
+        sample: u32,
+        watch: &dyn Watch,
+        progress: &(dyn Fn(f64) + Sync),
+    ) -> Result<()> {
         let Range { start, end } = self.rows;
         let mut first_row = start;
         while first_row < end {

@@ -23,9 +23,9 @@ pub fn is_shadowed<R: Real>(
     let towards = arriving.towards;
     let origin = leave_surface::<R>(surface.position, surface.facing, towards, surface.reach);
     let direction = if arriving.is_far {
-        arriving.target
+        arriving.goal
     } else {
-        arriving.target - origin
+        arriving.goal - origin
     };
     is_blocked(flat, tracer, path, origin, direction, arriving.limit)
 }

@@ -1,7 +1,7 @@
 //! Light from infinitely far away.
 
 use super::hard_shadows::shadow_limit;
-use super::sources::{Arriving, FARTHEST, nothing_arriving};
+use super::sources::{Arriving, ENDLESS, nothing_arriving};
 use crate::layout::LightRecord;
 
 /// What comes from a directional light.
@@ -9,9 +9,9 @@ pub fn arriving_from_direction(lamp: &LightRecord) -> Arriving {
     Arriving {
         towards: lamp.vector.into(),
         color: lamp.color.into(),
-        target: lamp.vector.into(),
+        goal: lamp.vector.into(),
         is_far: true,
-        limit: shadow_limit(lamp.flags, FARTHEST),
+        limit: shadow_limit(lamp.flags, ENDLESS),
         ..nothing_arriving()
     }
 }

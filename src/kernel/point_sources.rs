@@ -8,8 +8,8 @@ use crate::layout::{LightRecord, WEAKENS};
 
 /// What comes from a point light, which has no size.
 pub fn arriving_from_point(lamp: &LightRecord, position: Vec3<f32>) -> Arriving {
-    let target = Vec3::from(lamp.vector);
-    let towards = target - position;
+    let goal = Vec3::from(lamp.vector);
+    let towards = goal - position;
     let square = dot_product(towards, towards);
     if square == 0.0 {
         return nothing_arriving();
@@ -23,7 +23,7 @@ pub fn arriving_from_point(lamp: &LightRecord, position: Vec3<f32>) -> Arriving 
         } else {
             square
         },
-        target,
+        goal,
         limit: shadow_limit(lamp.flags, 1.0),
         ..nothing_arriving()
     }

@@ -24,7 +24,7 @@ pub struct Arriving {
     /// See `color`.
     pub square: f32,
     /// The point of the source, or the direction to it, from where it is infinitely far.
-    pub target: Vec3<f32>,
+    pub goal: Vec3<f32>,
     /// Which of these.
     pub is_far: bool,
     /// Something before this part of the way keeps it off; 0 where nothing does.
@@ -35,7 +35,7 @@ pub struct Arriving {
 }
 
 /// The farthest that a shadow ray may look.
-pub const FARTHEST: f32 = f32::MAX;
+pub const ENDLESS: f32 = f32::MAX;
 
 /// Nothing comes.
 pub fn nothing_arriving() -> Arriving {
@@ -44,7 +44,7 @@ pub fn nothing_arriving() -> Arriving {
         length: 1.0,
         color: Vec3::default(),
         square: 1.0,
-        target: Vec3::default(),
+        goal: Vec3::default(),
         is_far: false,
         limit: 0.0,
         density: 0.0,
