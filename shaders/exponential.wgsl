@@ -7,7 +7,7 @@ const LOG_TWO: vec2<f32> = vec2<f32>(0.69314575, 1.4286068e-06);
 // 1 over the logarithm of 2.
 const LOG_TWO_INVERSE: f32 = 1.442695;
 
-// Below, e^x counts as 0: it is not 2^-125, and just above the least normal number.
+// Below, e^x counts as 0. Here it is 1.4 times the least normal number.
 const LEAST_POWER: f32 = -87.0;
 
 // (e^x - 1 - x) / x^2 as a polynomial that is off by 3.2e-9 of e^x where |x| is at most half
