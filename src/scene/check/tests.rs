@@ -1,7 +1,9 @@
 use glam::DMat3;
 
 use super::*;
-use crate::scene::{Falloff, Image, Material, PixelSampling, Transfer, Transform};
+use crate::scene::{
+    Background, Camera, Falloff, Image, Light, Material, PixelSampling, Transfer, Transform,
+};
 
 fn valid() -> Scene {
     Scene {
