@@ -181,4 +181,6 @@ impl Images {
 }
 
 #[cfg(test)]
+mod effect_tests;
+#[cfg(test)]
 mod tests;

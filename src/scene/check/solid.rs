@@ -121,13 +121,11 @@ pub fn mesh(mesh: &Mesh, materials: usize) -> std::result::Result<DVec3, Flaw> {
     indices("vertex", &mesh.triangles, mesh.positions.len())?;
     indices("vertex normal", &mesh.triangle_normals, mesh.normals.len())?;
     for (i, uv) in mesh.uvs.iter().enumerate() {
-        let [u, v] = *uv;
-        let named = |flaw: Flaw| flaw.at(&format!("texture coordinate {i}"));
-        number("u", u)
-            .and_then(|()| number("v", v))
-            .map_err(named)?;
+        uv.iter()
+            .try_for_each(|&x| number("uv", x))
+            .map_err(|f| f.at(&format!("texture coordinates {i}")))?;
     }
-    indices("texture coordinate", &mesh.triangle_uvs, mesh.uvs.len())?;
+    indices("texture coordinates", &mesh.triangle_uvs, mesh.uvs.len())?;
     let triangles = mesh.triangles.len();
     one_each("triangle_normals", mesh.triangle_normals.len(), triangles)?;
     one_each("triangle_uvs", mesh.triangle_uvs.len(), triangles)?;
