@@ -249,13 +249,15 @@ fn blocks(language: &str) -> Vec<&'static str> {
 }
 
 #[test]
-fn the_example_of_the_reference_loads_without_a_warning() {
+fn the_examples_of_the_reference_load_without_a_warning() {
     let examples = blocks("toml");
-    assert_eq!(examples.len(), 2);
-    let loaded = parse(examples[0]).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
-    assert_eq!(loaded.warnings, Vec::<String>::new());
-    assert_eq!(loaded.scene.shapes.len(), 29);
-    let groups = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n".to_string() + examples[1];
+    assert_eq!(examples.len(), 3);
+    for (example, shapes) in examples.iter().zip([29, 3]) {
+        let loaded = parse(example).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
+        assert_eq!(loaded.warnings, Vec::<String>::new());
+        assert_eq!(loaded.scene.shapes.len(), shapes);
+    }
+    let groups = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n".to_string() + examples[2];
     let loaded = parse(&groups).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
     let parents: Vec<_> = loaded
         .scene
