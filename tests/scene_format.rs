@@ -1,62 +1,16 @@
 //! The scene format: every rule has a file that breaks it and a near-identical
 //! one that keeps it.
 
+#[path = "common/broken_files.rs"]
+mod broken_files;
+
 use std::path::Path;
 
 use rayproof::Error;
-use rayproof::error::SceneFaults;
-use rayproof::scene::parse::{Loaded, parse_str};
+use rayproof::scene::parse::parse_str;
 use rayproof::scene::policy::Policy;
 
-/// What every file below begins with.
-const HEAD: &str = "\
-[camera]
-eye = [0, 0, 5]
-target = [0, 0, 0]
-[ambient]
-color = [1, 1, 1]
-[[material]]
-name = \"red\"
-albedo = [1, 0, 0]
-";
-
-fn parse(text: &str) -> rayproof::Result<Loaded> {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    parse_str(text, "test.toml", folder.path(), &Policy::default())
-}
-
-fn faults(text: &str) -> SceneFaults {
-    match parse(text) {
-        Err(Error::Scene(faults)) => *faults,
-        Err(other) => panic!("not a scene error: {other}\n{text}"),
-        Ok(_) => panic!("accepted:\n{text}"),
-    }
-}
-
-/// `bad` has exactly one fault, which says `message` and underlines `at`; `good`
-/// loads without a warning and passes `validate`.
-fn breaks(bad: &str, message: &str, at: &str, good: &str) {
-    let found = faults(bad);
-    let source = found.source_code.inner();
-    let all: Vec<_> = found.faults.iter().map(|f| &f.message).collect();
-    assert_eq!(all.len(), 1, "{all:#?}\n{bad}");
-    let fault = &found.faults[0];
-    assert!(fault.message.contains(message), "{}\n{bad}", fault.message);
-    assert_eq!(&source[fault.span.clone()], at, "{}\n{bad}", fault.message);
-    assert!(fault.help.is_some(), "no help: {}", fault.message);
-    let loaded = parse(good).unwrap_or_else(|e| panic!("{:?}\n{good}", miette::Report::new(e)));
-    assert_eq!(loaded.warnings, Vec::<String>::new(), "{good}");
-    loaded.scene.validate().expect("what loads is valid");
-}
-
-/// A key of a section: (section, bad line, message, underlined, good line).
-type Case = (
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-);
+use broken_files::{Case, HEAD, breaks, each_breaks_alone, faults, parse, places};
 
 #[rustfmt::skip]
 const KEYS: &[Case] = &[
@@ -133,18 +87,7 @@ const KEYS: &[Case] = &[
 
 #[test]
 fn every_key_has_its_rule() {
-    const LIT: &str = "[[sphere]]\nradius = 1\n";
-    for (section, bad, message, at, good) in KEYS {
-        let other = if section.starts_with("[image]") || !section.contains("sphere") {
-            LIT
-        } else {
-            ""
-        };
-        let file = |line: &str| format!("{HEAD}{other}{section}\n{line}\n");
-        // A header is underlined whole, so it must be the one of this section.
-        let (bad, good) = (file(bad), file(good));
-        breaks(&bad, message, at, &good);
-    }
+    each_breaks_alone(KEYS);
 }
 
 #[test]
@@ -186,16 +129,6 @@ fn sections_are_known_and_stand_as_often_as_they_may() {
     for (line, message, at) in bad {
         breaks(&format!("{HEAD}{line}\n"), message, at, &good);
     }
-}
-
-/// Line and column, from 1, of each fault.
-fn places(faults: &SceneFaults) -> Vec<(usize, usize)> {
-    let text = faults.source_code.inner();
-    let place = |at: usize| {
-        let line_start = text[..at].rfind('\n').map_or(0, |i| i + 1);
-        (text[..at].matches('\n').count() + 1, at - line_start + 1)
-    };
-    faults.faults.iter().map(|f| place(f.span.start)).collect()
 }
 
 #[test]
@@ -316,13 +249,15 @@ fn blocks(language: &str) -> Vec<&'static str> {
 }
 
 #[test]
-fn the_example_of_the_reference_loads_without_a_warning() {
+fn the_examples_of_the_reference_load_without_a_warning() {
     let examples = blocks("toml");
-    assert_eq!(examples.len(), 2);
-    let loaded = parse(examples[0]).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
-    assert_eq!(loaded.warnings, Vec::<String>::new());
-    assert_eq!(loaded.scene.shapes.len(), 29);
-    let groups = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n".to_string() + examples[1];
+    assert_eq!(examples.len(), 3);
+    for (example, shapes) in examples.iter().zip([29, 3]) {
+        let loaded = parse(example).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
+        assert_eq!(loaded.warnings, Vec::<String>::new());
+        assert_eq!(loaded.scene.shapes.len(), shapes);
+    }
+    let groups = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n".to_string() + examples[2];
     let loaded = parse(&groups).unwrap_or_else(|e| panic!("{:?}", miette::Report::new(e)));
     let parents: Vec<_> = loaded
         .scene

@@ -1,18 +1,29 @@
 //! Is a scene that was built in code one that can be traced?
 
+mod camera;
+mod integrator;
+mod light;
+mod material;
 mod rule;
 mod solid;
+mod surroundings;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Background, Camera, Geometry, Group, GroupBound, Light, Mesh, Scene, Shape};
+use super::{Geometry, Group, GroupBound, Mesh, Pattern, Scene, Shape, Sky, Texels};
 use crate::{Error, Result};
+pub(super) use camera::*;
+pub(super) use integrator::*;
+pub use light::MAX_LIGHTS;
+pub(super) use light::*;
+pub(super) use material::*;
 pub(super) use rule::*;
-pub use rule::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MIN_SIZE};
+pub use rule::{MAX_IMAGE_SIDE, MAX_MAGNITUDE, MIN_SIZE};
 pub(super) use solid::*;
+pub(super) use surroundings::*;
 
 impl Scene {
     /// Checks what the types cannot: sizes, ranges, directions, indices. A
@@ -29,13 +40,34 @@ impl Scene {
             .and_then(|()| camera(&self.camera))
             .and_then(|()| background(&self.background))
             .and_then(|()| color("ambient", self.ambient))
+            .and_then(|()| occlusion("occlusion", self.occlusion))
+            .and_then(|()| self.fog.as_ref().map_or(Ok(()), fog))
+            .and_then(|()| integrator(&self.integrator))
             .and_then(|()| light_count(self.lights.len()))
             .map_err(|flaw| flaw.into_usage("scene"))?;
+        let mut images = Images::default();
+        if let Some(around) = &self.environment {
+            let image = match &around.sky {
+                Sky::Image(image) => images.largest(image).map(|_| ()),
+                Sky::Gradient(_) => Ok(()),
+            };
+            image
+                .and_then(|()| environment(around))
+                .map_err(|flaw| flaw.into_usage("environment"))?;
+        }
         for (i, l) in self.lights.iter().enumerate() {
             light(l).map_err(|flaw| flaw.into_usage(&format!("light {i}")))?;
         }
         for (i, m) in self.materials.iter().enumerate() {
-            albedo("albedo", m.albedo)
+            material(m)
+                .and_then(
+                    |()| match m.texture.as_ref().map(|texture| &texture.pattern) {
+                        Some(Pattern::Image(image)) => {
+                            images.largest(image).and_then(brightest_texel)
+                        }
+                        _ => Ok(()),
+                    },
+                )
                 .map_err(|flaw| flaw.into_usage(&format!("material {i} ({})", m.name)))?;
         }
         let mut extents = Extents::default();
@@ -101,36 +133,6 @@ fn group(group: &Group, index: usize, shapes: &[Shape]) -> Verdict {
     }
 }
 
-fn camera(camera: &Camera) -> Verdict {
-    point("eye", camera.eye)?;
-    point("target", camera.target)?;
-    direction("up", camera.up)?;
-    field_of_view("fov", camera.fov_degrees)?;
-    line_of_sight(camera.eye, camera.target)?;
-    upward(camera.up, camera.target - camera.eye)
-}
-
-fn background(background: &Background) -> Verdict {
-    color("background from", background.from)?;
-    color("background to", background.to)?;
-    number("background offset", background.offset)?;
-    number("background slope", background.slope)
-}
-
-fn light(light: &Light) -> Verdict {
-    match *light {
-        Light::Point {
-            position, color: c, ..
-        } => point("position", position).and_then(|()| color("color", c)),
-        Light::Directional {
-            direction: d,
-            color: c,
-            ..
-        } => direction("direction", d).and_then(|()| color("color", c)),
-        Light::Area { radiance, .. } => color("radiance", radiance),
-    }
-}
-
 /// The extent of each distinct mesh, so that a mesh in a thousand places is
 /// checked once.
 #[derive(Default)]
@@ -156,8 +158,29 @@ fn shape(shape: &Shape, materials: usize, extents: &mut Extents) -> Verdict {
         _ => invertible(shape.transform.linear)?,
     }
     point("translate", shape.transform.translate)?;
-    within_reach(extent, &shape.transform)
+    point("velocity", shape.velocity)?;
+    within_reach(extent, &shape.transform, shape.velocity)
 }
 
+/// The largest colour of each distinct image, which is looked through once.
+#[derive(Default)]
+struct Images(HashMap<*const Texels, f32>);
+
+impl Images {
+    fn largest(&mut self, image: &Arc<Texels>) -> std::result::Result<f32, Flaw> {
+        if let Some(largest) = self.0.get(&Arc::as_ptr(image)) {
+            return Ok(*largest);
+        }
+        let largest = texels(image).map_err(|flaw| match image.name.as_str() {
+            "" => flaw,
+            name => flaw.at(name),
+        })?;
+        self.0.insert(Arc::as_ptr(image), largest);
+        Ok(largest)
+    }
+}
+
+#[cfg(test)]
+mod effect_tests;
 #[cfg(test)]
 mod tests;

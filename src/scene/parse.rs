@@ -6,13 +6,19 @@ mod expand;
 mod faults;
 mod file;
 mod group;
+mod image_file;
+mod light;
+mod lines;
 mod material;
 mod near;
 mod notes;
+mod oddities;
 mod placement;
 mod section;
 mod settings;
 mod shape;
+mod surface;
+mod surroundings;
 mod syntax;
 mod value;
 
@@ -21,11 +27,12 @@ use std::path::Path;
 use toml::de::DeTable;
 
 use self::faults::Faults;
+use self::image_file::Images;
 use self::material::Palette;
 pub use self::notes::Note;
 use self::section::Section;
 use self::syntax::SyntaxError;
-use super::{Light, Scene, check, policy::Policy};
+use super::{Light, Origin, Origins, Scene, check, policy::Policy};
 use crate::Result;
 
 /// A scene, and what was odd about its file without being wrong.
@@ -89,9 +96,11 @@ pub fn parse_str(text: &str, name: &str, folder: &Path, policy: &Policy) -> Resu
             (table, Faults::new(text, errors, readable.broken))
         }
     };
-    match read(text, table.get_ref(), folder, policy, &mut faults) {
+    match read(table.get_ref(), folder, policy, &mut faults) {
         Some(mut loaded) if faults.is_empty() => {
-            loaded.warnings.extend(oddities(&loaded.scene, name));
+            loaded
+                .warnings
+                .extend(oddities::oddities(&loaded.scene, name));
             Ok(loaded)
         }
         _ => Err(faults.into_error(name)),
@@ -99,7 +108,6 @@ pub fn parse_str(text: &str, name: &str, folder: &Path, policy: &Policy) -> Resu
 }
 
 fn read(
-    text: &str,
     table: &DeTable<'_>,
     folder: &Path,
     policy: &Policy,
@@ -111,63 +119,91 @@ fn read(
         let help = "add [camera] with `eye` and `target`";
         faults.push(0..0, "the scene has no [camera]", "no [camera]", help);
     }
-    let camera = root.table("camera", "[camera]", faults);
+    let mut origins = Origins::default();
+    let mut section = |key, title, origin: &mut Origin, faults: &mut Faults<'_>| {
+        let section = root.table(key, title, faults)?;
+        origin.line = Some(faults.line_of(&section.span));
+        Some(section)
+    };
+    let camera = section("camera", "[camera]", &mut origins.camera, faults);
     let camera = camera.and_then(|section| settings::camera(section, faults));
-    let background = settings::background(root.table("background", "[background]", faults), faults);
-    let ambient = settings::ambient(root.table("ambient", "[ambient]", faults), faults);
-    let lights = root.tables("light", "[[light]]", faults);
-    if let Some(surplus) = lights.get(check::MAX_LIGHTS) {
-        faults.judge(surplus.span.clone(), check::light_count(lights.len()));
+    let integrator = section(
+        "integrator",
+        "[integrator]",
+        &mut origins.integrator,
+        faults,
+    );
+    let integrator = settings::integrator(integrator, faults);
+    let background = section("background", "[background]", &mut Origin::default(), faults);
+    let both = background.is_some();
+    let background = surroundings::background(background, faults);
+    let mut images = Images::new(folder, policy);
+    let around = section(
+        "environment",
+        "[environment]",
+        &mut origins.environment,
+        faults,
+    );
+    if let Some(around) = around.as_ref().filter(|_| both) {
+        let message = "the scene has both a [background] and an [environment]";
+        let help = "keep [environment], which is seen too, or [background], which lights nothing";
+        faults.push(around.span.clone(), message, "a second one", help);
     }
-    let lights = lights
-        .into_iter()
-        .filter_map(|section| settings::light(section, faults))
-        .collect();
+    let environment = surroundings::environment(around, &mut images, faults);
+    let fog = section("fog", "[fog]", &mut origins.fog, faults);
+    let fog = surroundings::fog(fog, faults);
+    let ambient = section("ambient", "[ambient]", &mut origins.ambient, faults);
+    let (ambient, occlusion) = surroundings::ambient(ambient, faults);
+    let lights = lights(&mut root, &mut origins.lights, faults);
     let mut palette = Palette::default();
     for section in root.tables("material", "[[material]]", faults) {
-        palette.read(section, faults);
+        palette.read(section, &mut images, faults);
     }
     let contents = group::Contents::read(&mut root, &palette, faults);
     root.close(faults);
 
     let expanded = expand::expand(contents, palette, folder, policy, faults)?;
+    origins.materials = expanded.material_origins;
+    origins.shapes = expanded.origins;
     let scene = Scene {
         image,
         camera: camera?,
         background,
+        environment,
+        fog,
         ambient,
+        occlusion,
+        integrator,
         lights,
         materials: expanded.materials,
         shapes: expanded.shapes,
         groups: expanded.groups,
-        ..Scene::default()
+        origins,
     };
     Some(Loaded {
-        notes: notes::notes(text, &scene, &expanded.origins),
+        notes: notes::notes(&scene),
         scene,
         warnings: expanded.warnings,
     })
 }
 
-/// What is allowed, but hardly meant.
-fn oddities(scene: &Scene, name: &str) -> Vec<String> {
-    let mut oddities = Vec::new();
-    if scene.shapes.is_empty() {
-        oddities.push(format!(
-            "{name}: no shapes, the picture shows the background; add [[sphere]] or another"
-        ));
+/// All lights, and where they stand.
+fn lights(
+    root: &mut Section<'_, '_>,
+    origins: &mut Vec<Origin>,
+    faults: &mut Faults<'_>,
+) -> Vec<Light> {
+    let sections = root.tables("light", "[[light]]", faults);
+    if let Some(surplus) = sections.get(check::MAX_LIGHTS) {
+        faults.judge(surplus.span.clone(), check::light_count(sections.len()));
     }
-    let dark = |light: &Light| match light {
-        Light::Point { color, .. }
-        | Light::Directional { color, .. }
-        | Light::Area {
-            radiance: color, ..
-        } => *color == [0.0; 3],
-    };
-    if scene.ambient == [0.0; 3] && scene.lights.iter().all(dark) {
-        oddities.push(format!(
-            "{name}: no light and no ambient light, every shape is black; add [[light]] or [ambient]"
-        ));
+    let mut lights = Vec::new();
+    for section in sections {
+        let line = Some(faults.line_of(&section.span));
+        if let Some((light, name)) = light::light(section, faults) {
+            lights.push(light);
+            origins.push(Origin { name, line });
+        }
     }
-    oddities
+    lights
 }

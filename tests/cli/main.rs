@@ -48,6 +48,7 @@ color = [0.1, 0.1, 0.1]
 [[light]]
 kind = "directional"
 direction = [1, 2, 3]
+shadow = false
 
 [[material]]
 name = "clay"

@@ -15,7 +15,7 @@ const NAMES: [&str; 6] = [
 fn scene(mesh: &str) -> String {
     format!(
         "[image]\nwidth = 40\nheight = 30\n[camera]\neye = [1, 2, 5]\ntarget = [0, 0, 0]\n\
-         [[light]]\nkind = \"directional\"\ndirection = [1, 2, 3]\n\
+         [[light]]\nkind = \"directional\"\ndirection = [1, 2, 3]\nshadow = false\n\
          [[material]]\nname = \"jade\"\nalbedo = [0.2, 0.65, 0.45]\n\
          [[mesh]]\n{mesh}\nmaterial = \"jade\"\n"
     )

@@ -1,5 +1,7 @@
-//! Rules for numbers, colours, directions and the camera, each stated once: the
-//! parser puts a line and a column to a [`Flaw`], `Scene::validate` an index.
+//! Rules for numbers, colours and directions, each stated once: the parser puts a
+//! line and a column to a [`Flaw`], `Scene::validate` an index.
+
+use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
@@ -18,16 +20,6 @@ pub const MIN_SIZE: f64 = 1.0 / MAX_MAGNITUDE;
 /// Largest width or height of a picture: pixel numbers then fit 30 bits and a
 /// sample position is exact in f32.
 pub const MAX_IMAGE_SIDE: u64 = 32768;
-
-/// Most lights of a scene: a pixel is shaded in one loop over all of them, which
-/// lavapipe silently stops after 65,535 iterations.
-pub const MAX_LIGHTS: usize = 60_000;
-
-/// Sine of the smallest angle between `up` and the line of sight. Rounding
-/// leaves their f64 cross product (differences, products, sums) with a relative
-/// error below 3 sqrt(3) 2^-53 over that sine; at 2^-26 the camera's horizontal
-/// axis still has the 24 bits of an f32.
-const MIN_UP_SINE: f64 = 1.0 / (1u64 << 26) as f64;
 
 /// What breaks a rule.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -136,14 +128,6 @@ pub fn factor(what: &str, x: f64) -> Verdict {
     not_tiny(what, x)
 }
 
-/// A full angle of view in degrees, between 0 and 180.
-pub fn field_of_view(what: &str, degrees: f64) -> Verdict {
-    require(degrees > 0.0 && degrees < 180.0, || {
-        let message = format!("`{what}` must lie between 0 and 180 degrees, but is {degrees}");
-        flaw(message, "out of range", "60 is a usual full vertical angle")
-    })
-}
-
 /// The width or height of a picture in pixels.
 pub fn image_side(what: &str, pixels: u64) -> Verdict {
     require((1..=MAX_IMAGE_SIDE).contains(&pixels), || {
@@ -175,54 +159,26 @@ pub fn direction(what: &str, v: DVec3) -> Verdict {
     })
 }
 
-/// No more lights than one loop takes.
-pub fn light_count(lights: usize) -> Verdict {
-    require(lights <= MAX_LIGHTS, || {
-        flaw(
-            format!("{lights} lights are more than {MAX_LIGHTS}"),
-            "too many",
-            format!("keep to {MAX_LIGHTS} lights; one brighter light may stand for several"),
-        )
-    })
-}
-
 /// A linear colour: no part negative.
 pub fn color(what: &str, rgb: Rgb) -> Verdict {
     rgb.iter().try_for_each(|&x| not_negative(what, x))
 }
 
-/// A fraction of light per channel.
-pub fn albedo(what: &str, rgb: Rgb) -> Verdict {
-    rgb.iter().try_for_each(|&x| {
-        number(what, x)?;
-        require((0.0..=1.0).contains(&x), || {
-            let message = format!("`{what}` must lie between 0 and 1, but has a part of {x}");
-            let help = "a surface scatters no less than none and no more than all of the light";
-            flaw(message, "out of range", help)
-        })
+/// A number from 0 to 1.
+pub fn fraction(what: &str, x: f64) -> Verdict {
+    number(what, x)?;
+    require((0.0..=1.0).contains(&x), || {
+        let message = format!("`{what}` must lie between 0 and 1, but is {x}");
+        flaw(message, "out of range", "write a number from 0 to 1")
     })
 }
 
-/// The camera looks somewhere.
-pub fn line_of_sight(eye: DVec3, target: DVec3) -> Verdict {
-    require((target - eye).length_squared() >= f64::MIN_POSITIVE, || {
-        flaw(
-            format!("`target` {target} is where `eye` is: the camera looks nowhere"),
-            "same as eye",
-            "move `target` to the point in the middle of the picture",
-        )
-    })
-}
-
-/// `up` is not along the line of sight, so the picture has a horizontal.
-pub fn upward(up: DVec3, forward: DVec3) -> Verdict {
-    let (up_length, forward_length) = (up.length(), forward.length());
-    let sine = (up / up_length).cross(forward / forward_length).length();
-    require(sine >= MIN_UP_SINE, || {
-        flaw(
-            format!("`up` {up} is parallel to the line of sight {forward}"),
-            "parallel to the line of sight",
-            "choose another `up`, such as [0, 0, 1] for a camera that looks straight down",
-        )
+/// A whole number within a range.
+pub fn whole(what: &str, n: u64, range: RangeInclusive<u64>) -> Verdict {
+    require(range.contains(&n), || {
+        let (least, most) = (range.start(), range.end());
+        let message = format!("`{what}` must be from {least} to {most}, but is {n}");
+        let help = format!("write a whole number from {least} to {most}");
+        flaw(message, "out of range", help)
     })
 }

@@ -2,7 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::rule::{Flaw, MAX_MAGNITUDE, MIN_SIZE, Verdict, direction, flaw, point, require, size};
+use super::rule::{
+    Flaw, MAX_MAGNITUDE, MIN_SIZE, Verdict, direction, flaw, number, point, require, size,
+};
 use crate::scene::{Geometry, Mesh, Transform};
 
 /// Relative rounding error of the products and differences of two or three
@@ -118,8 +120,15 @@ pub fn mesh(mesh: &Mesh, materials: usize) -> std::result::Result<DVec3, Flaw> {
     }
     indices("vertex", &mesh.triangles, mesh.positions.len())?;
     indices("vertex normal", &mesh.triangle_normals, mesh.normals.len())?;
+    for (i, uv) in mesh.uvs.iter().enumerate() {
+        uv.iter()
+            .try_for_each(|&x| number("uv", x))
+            .map_err(|f| f.at(&format!("texture coordinates {i}")))?;
+    }
+    indices("texture coordinates", &mesh.triangle_uvs, mesh.uvs.len())?;
     let triangles = mesh.triangles.len();
     one_each("triangle_normals", mesh.triangle_normals.len(), triangles)?;
+    one_each("triangle_uvs", mesh.triangle_uvs.len(), triangles)?;
     one_each(
         "triangle_materials",
         mesh.triangle_materials.len(),
@@ -158,17 +167,21 @@ fn one_each(what: &str, found: usize, triangles: usize) -> Verdict {
 }
 
 /// A shape whose points have at most the given |x|, |y|, |z| stays within
-/// [`MAX_MAGNITUDE`] of the world's origin.
-pub fn within_reach(extent: DVec3, transform: &Transform) -> Verdict {
+/// [`MAX_MAGNITUDE`] of the world's origin, all the way that it moves.
+pub fn within_reach(extent: DVec3, transform: &Transform, velocity: DVec3) -> Verdict {
     let world = transform.linear.abs() * extent + transform.translate.abs();
-    require(world.max_element() <= MAX_MAGNITUDE, || {
+    reach("the shape", world, velocity)
+}
+
+/// What has at most the given |x|, |y|, |z| in the middle of its way stays within
+/// [`MAX_MAGNITUDE`] of the world's origin.
+pub fn reach(what: &str, extent: DVec3, velocity: DVec3) -> Verdict {
+    let farthest = (extent + velocity.abs() / 2.0).max_element();
+    require(farthest <= MAX_MAGNITUDE, || {
         flaw(
-            format!(
-                "the shape reaches {:e} from the origin, beyond {MAX_MAGNITUDE:e}",
-                world.max_element()
-            ),
+            format!("{what} reaches {farthest:e} from the origin, beyond {MAX_MAGNITUDE:e}"),
             "too far out",
-            "use smaller coordinates or a smaller scale",
+            "use smaller coordinates, a smaller scale or a smaller `velocity`",
         )
     })
 }

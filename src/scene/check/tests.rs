@@ -1,9 +1,11 @@
 use glam::DMat3;
 
 use super::*;
-use crate::scene::{Falloff, Image, Material, PixelSampling, Transfer, Transform};
+use crate::scene::{
+    Background, Camera, Falloff, Image, Light, Material, PixelSampling, Transfer, Transform,
+};
 
-fn valid() -> Scene {
+pub(super) fn valid() -> Scene {
     Scene {
         image: Image {
             width: 2,
@@ -64,7 +66,7 @@ fn mesh() -> Geometry {
     }))
 }
 
-fn edited(edit: impl FnOnce(&mut Mesh)) -> Shape {
+pub(super) fn edited(edit: impl FnOnce(&mut Mesh)) -> Shape {
     let Geometry::Mesh(mut shared) = mesh() else {
         unreachable!("`mesh` makes a mesh");
     };
@@ -81,7 +83,7 @@ fn a_valid_scene_passes() {
 }
 
 /// What is wrong with the scene after an edit.
-fn said(edit: impl FnOnce(&mut Scene)) -> String {
+pub(super) fn said(edit: impl FnOnce(&mut Scene)) -> String {
     let mut scene = valid();
     edit(&mut scene);
     match scene.validate() {
@@ -90,7 +92,7 @@ fn said(edit: impl FnOnce(&mut Scene)) -> String {
     }
 }
 
-fn starts(message: String, start: &str) {
+pub(super) fn starts(message: String, start: &str) {
     assert!(message.starts_with(start), "{message}\nwanted {start}");
 }
 

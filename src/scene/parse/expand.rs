@@ -6,10 +6,9 @@ use super::asset::{Library, Source};
 use super::faults::Faults;
 use super::group::Contents;
 use super::material::Palette;
-use super::notes::Origin;
 use super::shape::{Draft, Form};
 use crate::scene::policy::Policy;
-use crate::scene::{Geometry, Group, Material, Shape, Transform};
+use crate::scene::{Geometry, Group, Material, Origin, Shape, Transform};
 
 /// All shapes of a scene with their materials.
 pub(super) struct Expanded {
@@ -18,6 +17,8 @@ pub(super) struct Expanded {
     /// Where in the file the shapes are from.
     pub(super) origins: Vec<Origin>,
     pub(super) materials: Vec<Material>,
+    /// Where in the file the materials are from.
+    pub(super) material_origins: Vec<Origin>,
     pub(super) warnings: Vec<String>,
 }
 
@@ -78,6 +79,7 @@ pub(super) fn expand(
                 }
                 let own = draft.material.is_none();
                 let mesh = asset.variant(*smooth, own, &mut palette.materials);
+                palette.brought_by(faults.line_of(&draft.span));
                 let material = draft.material.as_deref();
                 (Geometry::Mesh(mesh), *linear, material)
             }
@@ -90,9 +92,13 @@ pub(super) fn expand(
             geometry: geometry.clone(),
             transform: Transform { linear, translate },
             material: palette.index(material),
-            velocity: glam::DVec3::ZERO,
+            velocity: draft.velocity,
         }));
-        origins.push((first..shapes.len(), draft.span.clone()));
+        let origin = Origin {
+            name: None,
+            line: Some(faults.line_of(&draft.span)),
+        };
+        origins.resize(shapes.len(), origin);
         // A group's own shapes stand side by side.
         if let Some(group) = draft.group {
             let own = &mut groups[group].shapes;
@@ -104,11 +110,13 @@ pub(super) fn expand(
             *own = start..shapes.len();
         }
     }
+    let (materials, material_origins) = palette.into_parts();
     Some(Expanded {
         shapes,
         groups,
         origins,
-        materials: palette.materials,
+        materials,
+        material_origins,
         warnings: library.warnings,
     })
 }

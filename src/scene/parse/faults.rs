@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use miette::NamedSource;
 
+use super::lines::Lines;
 use super::syntax::SyntaxError;
 use crate::error::{Error, Fault, SceneFaults};
 use crate::scene::check::{Flaw, Verdict};
@@ -15,6 +16,7 @@ const MAX_FAULTS: usize = 100;
 /// Collects the faults of one file.
 pub(super) struct Faults<'t> {
     text: &'t str,
+    lines: Lines,
     list: Vec<Fault>,
     left_out: usize,
     /// The tables that could not be read whole, in order: whether something is
@@ -36,6 +38,7 @@ impl<'t> Faults<'t> {
         };
         let mut faults = Self {
             text,
+            lines: Lines::of(text),
             list: Vec::new(),
             left_out: 0,
             hides_camera: may_hide("camera"),
@@ -90,6 +93,11 @@ impl<'t> Faults<'t> {
     /// The file's text at a span, for messages.
     pub(super) fn text_at(&self, span: Range<usize>) -> &'t str {
         self.text.get(span).unwrap_or_default()
+    }
+
+    /// The line of a header, from 1.
+    pub(super) fn line_of(&self, header: &Range<usize>) -> u32 {
+        self.lines.line(header.start)
     }
 
     /// Is the file without a fault so far?

@@ -1,59 +1,50 @@
-//! `[[material]]`: names, colours, and colours drawn by lot.
+//! `[[material]]`: names, and colours drawn by lot.
 
 use std::collections::BTreeMap;
 
-use toml::de::DeValue;
-
 use super::faults::Faults;
+use super::image_file::Images;
 use super::near::suggestion;
 use super::section::{Found, Section};
-use super::value::{number, ruled, text, triple, whole};
-use crate::scene::{Material, Rgb, check};
+use super::surface::surface;
+use super::value::text;
+use crate::scene::{Material, Origin};
 
 /// The name of the material of shapes that name none.
 const DEFAULT: &str = "default";
-
-/// The albedo of the default material: a light grey.
-const DEFAULT_ALBEDO: Rgb = [0.8; 3];
 
 /// The scene's materials as they grow while shapes ask for them.
 #[derive(Default)]
 pub(super) struct Palette {
     pub(super) materials: Vec<Material>,
+    /// Where those are from, but for the last that a mesh brought along.
+    origins: Vec<Origin>,
     named: BTreeMap<String, Paint>,
 }
 
-#[derive(Clone, Copy)]
 enum Paint {
-    /// An index into `materials`.
+    /// An index into the materials.
     Plain(usize),
     /// Every instance gets an albedo of its own.
-    Random { seed: u64, instances: u64 },
-}
-
-#[derive(Clone, Copy)]
-enum Albedo {
-    Plain(Rgb),
-    Random(u64),
+    Random {
+        material: Box<Material>,
+        line: u32,
+        seed: u64,
+        instances: u64,
+    },
 }
 
 impl Palette {
     /// Adds one `[[material]]`.
-    pub(super) fn read(&mut self, mut section: Section<'_, '_>, faults: &mut Faults<'_>) {
+    pub(super) fn read(
+        &mut self,
+        mut section: Section<'_, '_>,
+        images: &mut Images<'_>,
+        faults: &mut Faults<'_>,
+    ) {
         let name = section.required("name", faults, text);
-        let albedo = match section.value("albedo") {
-            Some(value) => match value.get_ref() {
-                DeValue::Table(_) => random(value, faults),
-                _ => triple(ruled(number, |what, x| check::albedo(what, [x; 3])))(
-                    value, "albedo", faults,
-                )
-                .map(Albedo::Plain),
-            },
-            // Only to say that it is missing.
-            None => section
-                .required("albedo", faults, triple(number))
-                .map(|found| Albedo::Plain(found.value)),
-        };
+        let surface = surface(&mut section, images, faults);
+        let line = faults.line_of(&section.span);
         section.close(faults);
         let Some(Found { value: name, span }) = name else {
             return;
@@ -67,10 +58,17 @@ impl Palette {
             );
             return;
         }
-        // A material whose albedo is at fault is still known by its name.
-        let paint = match albedo.unwrap_or(Albedo::Plain(DEFAULT_ALBEDO)) {
-            Albedo::Random(seed) => Paint::Random { seed, instances: 0 },
-            Albedo::Plain(albedo) => Paint::Plain(self.push(name.clone(), albedo)),
+        // A material with a fault is still known by its name.
+        let mut material = surface.material;
+        material.name.clone_from(&name);
+        let paint = match surface.seed {
+            Some(seed) => Paint::Random {
+                material: Box::new(material),
+                line,
+                seed,
+                instances: 0,
+            },
+            None => Paint::Plain(self.push(material, Some(line))),
         };
         self.named.insert(name, paint);
     }
@@ -96,35 +94,49 @@ impl Palette {
         let name = name.unwrap_or(DEFAULT);
         match self.named.get_mut(name) {
             Some(Paint::Plain(index)) => *index,
-            Some(Paint::Random { seed, instances }) => {
-                let (seed, instance) = (*seed, *instances);
+            Some(Paint::Random {
+                material,
+                line,
+                seed,
+                instances,
+            }) => {
+                let (seed, instance, line) = (*seed, *instances, *line);
                 *instances += 1;
-                let albedo = [0, 1, 2].map(|channel| fraction(seed, instance, channel));
-                self.push(format!("{name}#{instance}"), albedo)
+                let mut material = Material::clone(material);
+                material.name = format!("{name}#{instance}");
+                material.albedo = [0, 1, 2].map(|channel| fraction(seed, instance, channel));
+                self.push(material, Some(line))
             }
             None => {
-                let index = self.push(name.to_owned(), DEFAULT_ALBEDO);
+                let index = self.push(Material::default(), None);
                 self.named.insert(name.to_owned(), Paint::Plain(index));
                 index
             }
         }
     }
 
-    fn push(&mut self, name: String, albedo: Rgb) -> usize {
-        self.materials.push(Material {
-            name,
-            albedo,
-            ..Material::default()
+    /// Notes that the last materials came with the mesh whose header is at a line.
+    pub(super) fn brought_by(&mut self, line: u32) {
+        let brought = &self.materials[self.origins.len()..];
+        self.origins.extend(brought.iter().map(|material| Origin {
+            name: Some(material.name.clone()),
+            line: Some(line),
+        }));
+    }
+
+    /// All materials, and where they are from.
+    pub(super) fn into_parts(self) -> (Vec<Material>, Vec<Origin>) {
+        (self.materials, self.origins)
+    }
+
+    fn push(&mut self, material: Material, line: Option<u32>) -> usize {
+        self.origins.push(Origin {
+            name: Some(material.name.clone()),
+            line,
         });
+        self.materials.push(material);
         self.materials.len() - 1
     }
-}
-
-fn random(value: &super::value::Value<'_>, faults: &mut Faults<'_>) -> Option<Albedo> {
-    let mut section = Section::within("albedo", value, faults)?;
-    let seed = section.required("random", faults, whole(|_, _| Ok(())));
-    section.close(faults);
-    seed.map(|found| Albedo::Random(found.value))
 }
 
 /// A fraction in [0, 1) with 53 random bits, from integers alone, so that every

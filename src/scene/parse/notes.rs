@@ -1,7 +1,5 @@
 //! What f32 cannot tell of a scene that is in order.
 
-use std::ops::Range;
-
 use serde::Serialize;
 
 use crate::accuracy::BAND;
@@ -16,26 +14,27 @@ pub struct Note {
     pub message: String,
 }
 
-/// The shapes that a table of the file became, and the bytes of its header.
-pub(super) type Origin = (Range<usize>, Range<usize>);
-
-/// A note for each sphere or disk of the file that f32 cannot resolve from the camera.
-pub(super) fn notes(text: &str, scene: &Scene, origins: &[Origin]) -> Vec<Note> {
+/// A note for each table of spheres or disks that f32 cannot resolve from the camera.
+pub(super) fn notes(scene: &Scene) -> Vec<Note> {
     let mut notes = Vec::new();
-    for (shapes, header) in origins {
-        let radii = scene.shapes[shapes.clone()].iter().filter_map(|shape| {
+    let origins = &scene.origins.shapes;
+    let mut first = 0;
+    for table in origins.chunk_by(|a, b| a.line == b.line) {
+        let shapes = &scene.shapes[first..first + table.len()];
+        first += table.len();
+        let radii = shapes.iter().filter_map(|shape| {
             let (radius, distance) = size_and_distance(shape, scene)?;
             // The lengths of a test are the way to the shape and the place of its centre. A
             // ray through the centre is clear of the rim by the radius: within the band,
             // there is no ray on which f32 has to be right.
             (radius < BAND * (2.0 * distance)).then_some(distance / radius)
         });
-        let Some(farthest) = radii.reduce(f64::max) else {
+        let (Some(farthest), Some(line)) = (radii.reduce(f64::max), table[0].line) else {
             continue;
         };
-        let name = scene.shapes[shapes.start].geometry.name();
+        let name = shapes[0].geometry.name();
         notes.push(Note {
-            line: 1 + text[..header.start].matches('\n').count(),
+            line: line as usize,
             message: format!(
                 "the {name} is {farthest:.1e} radii away from the camera, where f32 cannot tell \
                  hit from miss: add `--accuracy adaptive`"

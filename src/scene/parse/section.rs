@@ -65,6 +65,11 @@ impl<'a, 'i> Section<'a, 'i> {
         self.table.get(key)
     }
 
+    /// Where the value of a key stands; the key stays unknown until it is asked for.
+    pub(super) fn span_of(&self, key: &str) -> Option<Range<usize>> {
+        self.table.get(key).map(Value::span)
+    }
+
     /// Accepts keys without reading them.
     pub(super) fn know(&mut self, keys: &[&'static str]) {
         self.asked.extend(keys);

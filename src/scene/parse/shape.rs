@@ -22,6 +22,8 @@ pub(super) struct Draft {
     pub(super) form: Form,
     pub(super) material: Option<String>,
     pub(super) placement: Placement,
+    /// How far it moves while the shutter is open.
+    pub(super) velocity: DVec3,
     /// The header of its table.
     pub(super) span: Range<usize>,
     /// The group that holds it, by its index.
@@ -62,6 +64,7 @@ pub(super) fn shapes(
                 continue;
             }
             let (placement, form) = read(&mut section, faults);
+            let velocity = section.or("velocity", DVec3::ZERO, faults, vector);
             let material = section.optional("material", faults, text);
             if let Some(name) = &material {
                 palette.check(name, faults);
@@ -72,6 +75,7 @@ pub(super) fn shapes(
                 form,
                 material: material.map(|found| found.value),
                 placement,
+                velocity,
                 span,
                 group,
             });
@@ -107,7 +111,8 @@ impl Draft {
         let mut translations = self.placement.translations();
         let first = translations.next().unwrap_or_default();
         for translate in [first, self.placement.last_translation()] {
-            check::within_reach(extent, &Transform { linear, translate })?;
+            let transform = Transform { linear, translate };
+            check::within_reach(extent, &transform, self.velocity)?;
         }
         Ok(())
     }

@@ -84,23 +84,37 @@ pub(super) fn whole(
 pub(super) fn triple<T: Copy>(
     read: impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<T>,
 ) -> impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<[T; 3]> {
+    several(
+        read,
+        "write three values between brackets, such as [0, 1, 0]",
+    )
+}
+
+/// Two values of the same kind.
+pub(super) fn pair<T: Copy>(
+    read: impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<T>,
+) -> impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<[T; 2]> {
+    several(read, "write two values between brackets, such as [1, 2]")
+}
+
+fn several<T: Copy, const COUNT: usize>(
+    read: impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<T>,
+    help: &str,
+) -> impl Fn(&Value<'_>, &str, &mut Faults<'_>) -> Option<[T; COUNT]> {
     move |value, what, faults| {
         let DeValue::Array(array) = value.get_ref() else {
-            wrong_type(value, what, "an array of 3", faults);
+            wrong_type(value, what, &format!("an array of {COUNT}"), faults);
             return None;
         };
-        if array.len() != 3 {
-            faults.push(
-                value.span(),
-                format!("`{what}` takes 3 values, found {}", array.len()),
-                "wrong length",
-                "write three values between brackets, such as [0, 1, 0]",
-            );
+        if array.len() != COUNT {
+            let message = format!("`{what}` takes {COUNT} values, found {}", array.len());
+            faults.push(value.span(), message, "wrong length", help);
             return None;
         }
-        // Read all three before giving up, so that each fault is told.
-        let [a, b, c] = [0, 1, 2].map(|i| read(&array[i], what, faults));
-        Some([a?, b?, c?])
+        // Read all of them before giving up, so that each fault is told.
+        let read: [_; COUNT] = std::array::from_fn(|i| read(&array[i], what, faults));
+        let read: Vec<T> = read.into_iter().flatten().collect();
+        read.try_into().ok()
     }
 }
 
@@ -112,6 +126,24 @@ pub(super) fn vector(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> 
 /// A linear colour.
 pub(super) fn color(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> Option<Rgb> {
     triple(ruled(number, check::not_negative))(value, what, faults)
+}
+
+/// A fraction, one for all channels or one for each.
+pub(super) fn fractions(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> Option<Rgb> {
+    let fraction = ruled(number, check::fraction);
+    match value.get_ref() {
+        DeValue::Array(_) => triple(fraction)(value, what, faults),
+        DeValue::Integer(_) | DeValue::Float(_) => fraction(value, what, faults).map(|x| [x; 3]),
+        _ => {
+            wrong_type(value, what, "a number or an array of 3", faults);
+            None
+        }
+    }
+}
+
+/// A colour that the albedo is or is multiplied with.
+pub(super) fn albedo(value: &Value<'_>, what: &str, faults: &mut Faults<'_>) -> Option<Rgb> {
+    triple(ruled(number, |what, x| check::albedo(what, [x; 3])))(value, what, faults)
 }
 
 /// A string.
