@@ -3,7 +3,8 @@
 
 use std::io::{self, BufRead, BufReader, Read};
 
-use super::read::{Capped, Fault, LogicalLines};
+use super::read::{Fault, LogicalLines};
+use crate::scene::guard::Capped;
 
 /// Checks the lines of a file and rewrites them for `tobj`.
 pub(super) trait Translate {

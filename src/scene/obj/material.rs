@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use super::elements::{NO_MATERIAL, Notes, name, statement};
 use super::feed::{Feed, Translate};
-use super::read::{Capped, Fault, Guard, Refusal};
+use super::read::Fault;
 use super::tally::Tally;
 use crate::error::Result;
+use crate::scene::guard::{Capped, Guard, Refusal};
 use crate::scene::{Material, Rgb};
 
 /// The albedo of a material that no file describes; many programs write it for

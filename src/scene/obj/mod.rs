@@ -16,11 +16,12 @@ mod tally;
 
 use std::path::{Path, PathBuf};
 
+use super::guard::{Capped, Guard, Refusal};
 use super::{Material, Mesh};
 use crate::error::Result;
 use elements::{Elements, Notes};
 use feed::Feed;
-use read::{Capped, Fault, Guard, Refusal};
+use read::Fault;
 
 /// What an OBJ file and its MTL files hold.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -80,7 +81,7 @@ impl Default for ObjOptions {
 /// [`ObjOptions::strict`] also if anything would be dropped. A missing MTL
 /// file is a warning.
 pub fn load(path: &Path, options: &ObjOptions) -> Result<ObjFile> {
-    let guard = Guard::new(options)?;
+    let guard = Guard::new(options.root.as_deref())?;
     let file = guard.open(path, options.max_bytes).map_err(|refusal| {
         let message = match refusal {
             Refusal::Missing => "no such file".to_string(),
