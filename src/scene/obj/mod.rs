@@ -28,7 +28,8 @@ use read::Fault;
 pub struct ObjFile {
     /// The triangles. [`Mesh::triangle_materials`] are indices into
     /// `materials`; empty where no face names a material. Every position is
-    /// finite and part of a triangle; every triangle has an area.
+    /// finite and part of a triangle; every triangle has an area. If some
+    /// faces have texture coordinates at each corner, the others take 0, 0.
     pub mesh: Mesh,
     /// The materials that the faces name, in the order of their first use. If
     /// faces without a material come among them, one called `default` is last.
@@ -70,7 +71,7 @@ impl Default for ObjOptions {
 /// Reads an OBJ file and the MTL files that it names.
 ///
 /// Positions are f64 in the file's own units. Polygons are cut into triangles
-/// of the same orientation. `vt` and vertex colours are checked, not kept.
+/// of the same orientation. Vertex colours are checked, not kept.
 /// Positions beyond 1e15 in magnitude count as non-finite.
 ///
 /// # Errors

@@ -34,6 +34,7 @@ pub(super) struct Dropped {
     pub degenerate: Tally,
     pub non_finite: Tally,
     pub fanned: Tally,
+    pub wild_uvs: Tally,
     pub unread: Tally,
 }
 
@@ -65,6 +66,11 @@ impl Dropped {
                 &self.fanned,
                 "polygon cut as a fan: it crosses itself or is warped",
                 "polygons cut as fans: they cross themselves or are warped",
+            ),
+            (
+                &self.wild_uvs,
+                "face with non-finite texture coordinates taken without: they must stay below 1e15",
+                "faces with non-finite texture coordinates taken without: they must stay below 1e15",
             ),
             (
                 &self.unread,
