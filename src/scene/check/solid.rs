@@ -2,7 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::rule::{Flaw, MAX_MAGNITUDE, MIN_SIZE, Verdict, direction, flaw, point, require, size};
+use super::rule::{
+    Flaw, MAX_MAGNITUDE, MIN_SIZE, Verdict, direction, flaw, number, point, require, size,
+};
 use crate::scene::{Geometry, Mesh, Transform};
 
 /// Relative rounding error of the products and differences of two or three
@@ -118,8 +120,15 @@ pub fn mesh(mesh: &Mesh, materials: usize) -> std::result::Result<DVec3, Flaw> {
     }
     indices("vertex", &mesh.triangles, mesh.positions.len())?;
     indices("vertex normal", &mesh.triangle_normals, mesh.normals.len())?;
+    for (i, uv) in mesh.uvs.iter().enumerate() {
+        uv.iter()
+            .try_for_each(|&x| number("uv", x))
+            .map_err(|f| f.at(&format!("texture coordinates {i}")))?;
+    }
+    indices("texture coordinates", &mesh.triangle_uvs, mesh.uvs.len())?;
     let triangles = mesh.triangles.len();
     one_each("triangle_normals", mesh.triangle_normals.len(), triangles)?;
+    one_each("triangle_uvs", mesh.triangle_uvs.len(), triangles)?;
     one_each(
         "triangle_materials",
         mesh.triangle_materials.len(),

@@ -1,4 +1,4 @@
-//! Wavefront OBJ and MTL files: `tobj` parses, this module guards.
+//! Wavefront OBJ and MTL files: `tobj` parses the former, this module guards.
 //!
 //! What `tobj` is given has been read under a cap, cleaned and checked line by
 //! line (`elements`), so that every fault has a file, a line and a remedy,
@@ -9,6 +9,8 @@ mod build;
 mod elements;
 mod feed;
 mod index;
+mod library;
+mod map;
 mod material;
 mod polygon;
 mod read;
@@ -17,10 +19,12 @@ mod tally;
 use std::path::{Path, PathBuf};
 
 use super::guard::{Capped, Guard, Refusal};
+use super::texels::{ImageOptions, Images};
 use super::{Material, Mesh};
 use crate::error::Result;
 use elements::{Elements, Notes};
 use feed::Feed;
+use material::Sources;
 use read::Fault;
 
 /// What an OBJ file and its MTL files hold.
@@ -80,8 +84,22 @@ impl Default for ObjOptions {
 /// regular file, lies outside [`ObjOptions::root`], is over a limit, has a
 /// malformed number or an index that refers to nothing; with
 /// [`ObjOptions::strict`] also if anything would be dropped. A missing MTL
-/// file is a warning.
+/// file is a warning. Of the images that the materials in use name, what
+/// [`texels::load`](super::texels::load) refuses, with the line that names it; [`ImageOptions`]
+/// are the default ones, under the same root.
 pub fn load(path: &Path, options: &ObjOptions) -> Result<ObjFile> {
+    let images = ImageOptions {
+        root: options.root.clone(),
+        ..ImageOptions::default()
+    };
+    load_with(path, options, &mut Images::new(images))
+}
+
+/// As [`load`], with images that several files may share.
+///
+/// # Errors
+/// As there.
+pub fn load_with(path: &Path, options: &ObjOptions, images: &mut Images) -> Result<ObjFile> {
     let guard = Guard::new(options.root.as_deref())?;
     let file = guard.open(path, options.max_bytes).map_err(|refusal| {
         let message = match refusal {
@@ -99,7 +117,12 @@ pub fn load(path: &Path, options: &ObjOptions) -> Result<ObjFile> {
     if mesh.triangles.is_empty() {
         warnings.push("no face in the file: the mesh is empty".to_string());
     }
-    let materials = material::resolve(path, &guard, options.max_bytes, &notes, &mut warnings)?;
+    let sources = Sources {
+        guard: &guard,
+        max_bytes: options.max_bytes,
+        images,
+    };
+    let materials = material::resolve(path, sources, &notes, &mut warnings)?;
     Ok(ObjFile {
         mesh,
         materials,
