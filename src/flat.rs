@@ -70,6 +70,9 @@ pub struct Flat<R> {
     /// The normal at each vertex, zero where it has none; empty where no vertex has
     /// any.
     pub vertex_normals: Vec<[f32; 3]>,
+    /// The texture coordinates at each vertex, v upward, 0, 0 where it has none; empty where
+    /// no mesh whose material has a texture has any.
+    pub vertex_uvs: Vec<[f32; 2]>,
     /// The groups and meshes of the scene, what volumes may be put around.
     pub parts: Vec<Part<R>>,
     /// A list of volumes and of what they hold; empty where there is none.
@@ -215,6 +218,7 @@ impl<R> Flat<R> {
             + size_of_val(self.triangles.as_slice())
             + reals(self.vertices.len())
             + self.vertex_normals.len() * quad
+            + words(2 * self.vertex_uvs.len())
             + size_of_val(self.pairs.as_slice())
             + size_of_val(self.volumes.as_slice())
             + reals(self.balls.len())

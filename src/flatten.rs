@@ -21,7 +21,7 @@ use crate::layout::{
     Sphere, Surroundings, WEAKENS,
 };
 use crate::scene::{
-    Camera, Falloff, Geometry, GroupBound, Light, PixelSampling, Scene, Shape, Transform,
+    Camera, Falloff, Geometry, GroupBound, Light, Material, PixelSampling, Scene, Shape, Transform,
 };
 
 /// The power of the camera, in parts of a sphere's square radius, below which the camera is
@@ -61,6 +61,7 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         triangles: Vec::new(),
         vertices: Vec::new(),
         vertex_normals: Vec::new(),
+        vertex_uvs: Vec::new(),
         parts: Vec::new(),
         volumes: Vec::new(),
         balls: Vec::new(),
@@ -151,13 +152,16 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) -> Vec<Range<u32>> {
         for (shape, ids) in scene.shapes.iter().zip(&mut ids) {
             if kind_rank(&shape.geometry) == kind {
                 let first = flat.primitives();
-                push_shape(flat, shape, scene.camera.eye);
+                push_shape(flat, shape, &scene.materials, scene.camera.eye);
                 *ids = first..flat.primitives();
             }
         }
     }
     if !flat.vertex_normals.is_empty() {
         flat.vertex_normals.resize(flat.vertices.len(), [0.0; 3]);
+    }
+    if !flat.vertex_uvs.is_empty() {
+        flat.vertex_uvs.resize(flat.vertices.len(), [0.0; 2]);
     }
     ids
 }
@@ -172,7 +176,7 @@ fn kind_rank(geometry: &Geometry) -> u32 {
     }
 }
 
-fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, eye: DVec3) {
+fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, materials: &[Material], eye: DVec3) {
     let transform = &shape.transform;
     match &shape.geometry {
         Geometry::Sphere { center, radius } => {
@@ -219,7 +223,7 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, eye: DVec3) {
                 id,
             });
         }
-        Geometry::Mesh(mesh) => return mesh::push_mesh(flat, mesh, shape, eye),
+        Geometry::Mesh(mesh) => return mesh::push_mesh(flat, mesh, shape, materials, eye),
     }
     flat.material_indices.push(shape.material as u32);
 }

@@ -28,6 +28,7 @@ impl<R: Real> Flat<R> {
             triangles: self.triangles.clone(),
             vertices: self.vertices.iter().map(|v| v.map(convert)).collect(),
             vertex_normals: self.vertex_normals.clone(),
+            vertex_uvs: self.vertex_uvs.clone(),
             parts: self.parts.iter().map(convert_part).collect(),
             volumes: self.volumes.clone(),
             balls: self.balls.iter().map(convert_ball).collect(),

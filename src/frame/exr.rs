@@ -96,8 +96,8 @@ fn split(names: [&str; 3], pixels: &[[f32; 3]]) -> [AnyChannel<FlatSamples>; 3] 
     })
 }
 
-/// Decodes an EXR file's bytes; `path` is for messages.
-pub(super) fn read(path: &Path, file: &[u8]) -> Result<(u32, u32, PictureValues)> {
+/// Decodes an EXR file's bytes, of at most `max_pixels` pixels; `path` is for messages.
+pub(crate) fn read(path: &Path, file: &[u8], max_pixels: u64) -> Result<(u32, u32, PictureValues)> {
     let broken = |e: exr::error::Error| asset_error(path, format!("broken EXR: {e}"));
     let refused = |what: String| asset_error(path, format!("this EXR {what}"));
 
@@ -130,6 +130,10 @@ pub(super) fn read(path: &Path, file: &[u8]) -> Result<(u32, u32, PictureValues)
         u32::try_from(pixels).map_err(|_| refused(format!("is {pixels} pixels on one side")))
     };
     let (width, height) = (side(header.layer_size.0)?, side(header.layer_size.1)?);
+    if u64::from(width) * u64::from(height) > max_pixels {
+        let message = format!("has {width} x {height} pixels, more than the {max_pixels} allowed");
+        return Err(refused(message));
+    }
     reserve_pixels(width, height, BYTES_PER_SAMPLE * channels.len() as u64)?;
 
     let image = exr::prelude::read()

@@ -1,6 +1,6 @@
 //! The picture that a render gives: linear colour and the hit layers.
 
-mod exr;
+pub(crate) mod exr;
 mod false_color;
 mod layer;
 mod memory;

@@ -5,6 +5,7 @@
 
 mod camera;
 mod check;
+mod guard;
 mod integrator;
 mod light;
 mod material;
@@ -14,6 +15,7 @@ mod origins;
 pub mod parse;
 pub mod policy;
 mod surroundings;
+pub mod texels;
 mod texture;
 
 use std::ops::Range;

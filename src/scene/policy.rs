@@ -6,7 +6,7 @@
 /// is read, and no file can exhaust the memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Policy {
-    /// May a mesh file lie outside the scene's folder? Default: no.
+    /// May a mesh or image file lie outside the scene's folder? Default: no.
     pub allow_outside: bool,
     /// Are dropped faces errors in place of warnings? Default: no.
     pub strict: bool,
@@ -18,6 +18,11 @@ pub struct Policy {
     /// Triangles of one mesh file. Default: 10 million, for which reading takes
     /// some 1.5 GB.
     pub max_mesh_triangles: u64,
+    /// Bytes of one image file. Default: 64 MiB.
+    pub max_image_bytes: u64,
+    /// Texels of all images of a scene together. Default: 2^23, which are 128 MiB on the
+    /// device, as much as every driver gives a buffer.
+    pub max_texels: u64,
     /// Shapes after grids are expanded. Default: 2^20, at some 300 bytes each.
     pub max_shapes: u64,
     /// Spheres, planes, disks and triangles after grids are expanded, a mesh
@@ -33,6 +38,8 @@ impl Default for Policy {
             max_scene_bytes: 8 << 20,
             max_mesh_bytes: 1 << 30,
             max_mesh_triangles: 10_000_000,
+            max_image_bytes: 64 << 20,
+            max_texels: 1 << 23,
             max_shapes: 1 << 20,
             max_primitives: 1 << 25,
         }

@@ -31,6 +31,8 @@ fn faults_have_a_line_and_a_remedy() {
         ("vn 1 2", &["2 of 3 numbers", "`vn x y z`"]),
         ("vn a b c", &["`a` is not a number"]),
         ("vt u", &["`u` is not a number"]),
+        ("vt", &["0 of 1 numbers", "`vt u v`"]),
+        ("vt 0.5 0x1", &["`0x1` is not a number"]),
     ] {
         let text = format!("# one\n{TRIANGLE}f 1 2 \\\n 3\n{line}\nf 1 2 3\n");
         assert_fault(text.replace('\n', "\r\n"), 7, words);

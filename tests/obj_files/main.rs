@@ -6,6 +6,7 @@ mod forms;
 mod geometry;
 mod limits;
 mod materials;
+mod textures;
 
 use std::fs;
 use std::path::Path;

@@ -112,6 +112,9 @@ fn broken_mtl_files_have_a_line() {
         ("Kd 1 0 0 0", "4 numbers"),
         ("Kd 1 x 0", "`x` is not a finite number"),
         ("Kd 1 nan 0", "`nan` is not a finite number"),
+        ("Ke 1 0", "an emitted colour is `Ke r g b`"),
+        ("map_Kd -clamp on", "without a name"),
+        ("map_Kd -s 0 a.png", "`-s u v`"),
         ("newmtl", "without a name"),
         ("newmtl # red", "without a name"),
     ] {

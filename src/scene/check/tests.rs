@@ -228,7 +228,7 @@ fn what_is_valid_keeps_its_normals_finite() {
 #[test]
 fn meshes_are_checked() {
     type Edit = fn(&mut Mesh);
-    let edits: [(Edit, &str); 7] = [
+    let edits: [(Edit, &str); 10] = [
         (|m| m.positions[2].z = f64::NAN, "vertex 2: `position`"),
         (|m| m.normals[0] = DVec3::ZERO, "vertex normal 0: `normal`"),
         (|m| m.triangles[0][1] = 3, "triangle 0: vertex 3"),
@@ -239,6 +239,18 @@ fn meshes_are_checked() {
         (
             |m| m.triangle_normals.push([0; 3]),
             "triangle_normals has 2 entries",
+        ),
+        (
+            |m| m.uvs = vec![[0.0, f64::NAN]],
+            "texture coordinates 0: `uv`",
+        ),
+        (
+            |m| m.triangle_uvs = vec![[0; 3]],
+            "triangle 0: texture coordinates 0",
+        ),
+        (
+            |m| (m.uvs, m.triangle_uvs) = (vec![[0.0; 2]], vec![[0; 3]; 2]),
+            "triangle_uvs has 2 entries",
         ),
         (
             |m| m.triangle_materials.push(0),

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::super::Mesh;
 
 /// The first fault of a mesh, or None: indices, finiteness, zero areas, winding,
-/// normals.
+/// normals, texture coordinates.
 pub fn fault(mesh: &Mesh) -> Option<String> {
     if let Some(fault) = fault_of_indices(mesh) {
         return Some(fault);
@@ -15,6 +15,9 @@ pub fn fault(mesh: &Mesh) -> Option<String> {
     let mut numbers = mesh.positions.iter().chain(&mesh.normals);
     if let Some(v) = numbers.find(|v| !v.is_finite()) {
         return Some(format!("{v} is not finite"));
+    }
+    if let Some([u, v]) = mesh.uvs.iter().find(|uv| !uv.iter().all(|x| x.is_finite())) {
+        return Some(format!("the texture coordinates {u}, {v} are not finite"));
     }
     for (i, corners) in mesh.triangles.iter().enumerate() {
         let (area, longest) = twice_area(mesh, *corners);
@@ -52,6 +55,16 @@ pub fn least_cosine(mesh: &Mesh) -> f64 {
     };
     let pairs = mesh.triangles.iter().zip(&mesh.triangle_normals);
     pairs.map(of).fold(1.0, f64::min)
+}
+
+/// The number of triangles whose texture is seen in a mirror, or squeezed to a line, from
+/// the side from which the triangle runs counter-clockwise.
+pub fn mirrored_uvs(mesh: &Mesh) -> usize {
+    let turns_left = |uvs: &&[u32; 3]| {
+        let [a, b, c] = uvs.map(|uv| glam::DVec2::from(mesh.uvs[uv as usize]));
+        (b - a).perp_dot(c - a) > 0.0
+    };
+    mesh.triangle_uvs.len() - mesh.triangle_uvs.iter().filter(turns_left).count()
 }
 
 /// The number of edges that no neighbour runs in the other direction; 0 where
@@ -115,9 +128,16 @@ fn fault_of_indices(mesh: &Mesh) -> Option<String> {
     if let Some(i) = beyond(&mesh.triangle_normals, mesh.normals.len()) {
         return Some(format!("there is no normal {i}"));
     }
-    let normals = mesh.triangle_normals.len();
-    if normals != 0 && normals != mesh.triangles.len() {
-        return Some(format!("{normals} triangles have normals, not all"));
+    if let Some(i) = beyond(&mesh.triangle_uvs, mesh.uvs.len()) {
+        return Some(format!("there are no texture coordinates {i}"));
+    }
+    for (list, what) in [
+        (&mesh.triangle_normals, "normals"),
+        (&mesh.triangle_uvs, "texture coordinates"),
+    ] {
+        if !list.is_empty() && list.len() != mesh.triangles.len() {
+            return Some(format!("{} triangles have {what}, not all", list.len()));
+        }
     }
     let mut used = vec![false; mesh.positions.len()];
     for &i in mesh.triangles.iter().flatten() {

@@ -45,8 +45,14 @@ pub(super) fn knot(detail: u32) -> Mesh {
             })
         })
         .unzip();
-    let triangles = grid::triangles(rings, sides, |i, j| (i % rings) * sides + j % sides);
-    smooth(positions, normals, triangles)
+    let index = |i, j| (i % rings) * sides + j % sides;
+    let [along, across] = [rings, sides].map(f64::from);
+    Mesh {
+        // u once along the tube, v once around it.
+        uvs: grid::uvs(rings, sides, |i, j| [i / along, (across - j) / across]),
+        triangle_uvs: grid::uv_triangles(rings, sides, index),
+        ..smooth(positions, normals, grid::triangles(rings, sides, index))
+    }
 }
 
 /// [rings, sides] for a wished number of triangles.

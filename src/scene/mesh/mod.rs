@@ -30,7 +30,7 @@ pub use write::write_obj;
 pub const MIN_DETAIL: u32 = 4;
 
 /// The finest detail that [`build`] gives: at this size the largest mesh takes
-/// about half a gibibyte, and vertex indices are far from the end of `u32`.
+/// about two thirds of a gibibyte, and vertex indices are far from the end of `u32`.
 pub const MAX_DETAIL: u32 = 10_000_000;
 
 /// A form that is computed from a few numbers.
@@ -111,7 +111,9 @@ impl Builtin {
 /// that the form allows (the formula stands at each [`Builtin`]), from the
 /// form's coarsest to [`MAX_DETAIL`]. A larger wish gives what `MAX_DETAIL`
 /// gives. `Box` and `Tetrahedron` are flat and have no normals; all others have
-/// one smooth unit normal a vertex.
+/// one smooth unit normal a vertex. `Icosphere` and `Tetrahedron` have no texture
+/// coordinates; on all others a texture is seen upright where the form has an
+/// upside, and nowhere in a mirror.
 pub fn build(kind: Builtin, detail: u32) -> Mesh {
     let detail = detail.min(MAX_DETAIL);
     match kind {

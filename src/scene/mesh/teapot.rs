@@ -66,15 +66,28 @@ const PIECES: [Piece; 4] = [
 /// gap between rim and lid, and the ends of handle and spout. Normals are the
 /// surface's; below n = 6 the facets at the spout's lip are too coarse for them
 /// and some face away.
+///
+/// Texture coordinates are the patches' parameters, one unit to a patch, running on from
+/// patch to patch: u against the columns, v against the rows, so that body and lid have v
+/// upward.
 pub(super) fn teapot(detail: u32) -> Mesh {
     let n = nearest(detail, LEAST_PARTS, |n| 64 * n * n - 8 * n);
     let weights: Vec<Weights> = (0..=n).map(|l| Weights::new(l, n)).collect();
     let [mut positions, mut normals] = [Vec::new(), Vec::new()];
     let mut triangles = Vec::new();
+    let (mut uvs, mut triangle_uvs) = (Vec::new(), Vec::new());
     for piece in &PIECES {
+        let (rows, columns) = (piece.rows(n), piece.columns(n));
+        let index = |i, j| piece.index(n, i, j);
         let base = positions.len() as u32;
-        triangles.extend(grid::triangles(piece.rows(n), piece.columns(n), |i, j| {
-            base + piece.index(n, i, j)
+        let moved = |triangle: [u32; 3], base: u32| triangle.map(|i| base + i);
+        let grid = grid::triangles(rows, columns, index);
+        triangles.extend(grid.into_iter().map(|t| moved(t, base)));
+        let first = uvs.len() as u32;
+        let grid = grid::uv_triangles(rows, columns, index);
+        triangle_uvs.extend(grid.into_iter().map(|t| moved(t, first)));
+        uvs.extend(grid::uvs(rows, columns, |i, j| {
+            [f64::from(columns) - j, f64::from(rows) - i].map(|x| x / f64::from(n))
         }));
         let (p, q): (Vec<DVec3>, Vec<DVec3>) = (0..piece.vertices(n))
             .into_par_iter()
@@ -83,7 +96,11 @@ pub(super) fn teapot(detail: u32) -> Mesh {
         positions.extend(p);
         normals.extend(q);
     }
-    smooth(positions, normals, triangles)
+    Mesh {
+        uvs,
+        triangle_uvs,
+        ..smooth(positions, normals, triangles)
+    }
 }
 
 impl Piece {

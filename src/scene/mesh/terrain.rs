@@ -49,7 +49,13 @@ pub(super) fn terrain(detail: u32) -> Mesh {
         .unzip();
     // Rows along z, from row to row along x: z cross x is y, upward.
     let triangles = grid::triangles(n, n, |i, j| i * (n + 1) + j);
-    smooth(positions, normals, triangles)
+    let side = f64::from(n);
+    Mesh {
+        // u along x, v along -z: upright seen from above with -z upward.
+        uvs: grid::uvs(n, n, |i, j| [i / side, (side - j) / side]),
+        triangle_uvs: triangles.clone(),
+        ..smooth(positions, normals, triangles)
+    }
 }
 
 /// Height over a point (x, z): the sum of [`OCTAVES`] of noise.

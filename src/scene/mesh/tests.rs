@@ -1,5 +1,6 @@
 use super::check::{
-    closer_than, doubles, euler_characteristic, fault, least_cosine, open_edges, volume,
+    closer_than, doubles, euler_characteristic, fault, least_cosine, mirrored_uvs, open_edges,
+    volume,
 };
 use super::*;
 
@@ -82,6 +83,47 @@ fn every_mesh_is_sound_at_every_detail() {
                 assert_eq!(doubles(&mesh), [[0; 2]; 0], "{kind:?} {detail}");
                 assert!(least_cosine(&mesh) > 0.0, "{kind:?} {detail}");
             }
+        }
+    }
+}
+
+#[test]
+fn textures_are_seen_from_the_front_and_cover_the_square() {
+    for kind in Builtin::ALL {
+        for detail in details() {
+            let mesh = build(kind, detail);
+            if [Builtin::Icosphere, Builtin::Tetrahedron].contains(&kind) {
+                assert!(mesh.uvs.is_empty() && mesh.triangle_uvs.is_empty());
+                continue;
+            }
+            assert_eq!(mirrored_uvs(&mesh), 0, "{kind:?} {detail}");
+            let largest = if kind == Builtin::Teapot { 4.0 } else { 1.0 };
+            let inside = |uv: &[f64; 2]| uv.iter().all(|x| (0.0..=largest).contains(x));
+            assert!(mesh.uvs.iter().all(inside), "{kind:?} {detail}");
+            for corner in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]] {
+                assert!(mesh.uvs.contains(&corner), "{kind:?} {detail} {corner:?}");
+            }
+        }
+    }
+    let mut turned = build(Builtin::Knot, 500);
+    turned.triangle_uvs[7].swap(0, 1);
+    assert_eq!(mirrored_uvs(&turned), 1);
+}
+
+#[test]
+fn on_a_box_v_is_up_and_a_step_is_a_step() {
+    let mesh = build(Builtin::Box, 12 * 7 * 7);
+    for (triangle, uvs) in mesh.triangles.iter().zip(&mesh.triangle_uvs) {
+        let places = triangle.map(|i| mesh.positions[i as usize]);
+        let uvs = uvs.map(|i| glam::DVec2::from(mesh.uvs[i as usize]));
+        for (from, to) in [(0, 1), (1, 2)] {
+            let (way, way_uv) = (places[to] - places[from], uvs[to] - uvs[from]);
+            // Two roundings of numbers up to 1.
+            let slack = 4.0 * f64::EPSILON;
+            assert!((way.length() - way_uv.length()).abs() <= slack);
+            let stands = places.iter().all(|p| p.x == places[0].x)
+                || places.iter().all(|p| p.z == places[0].z);
+            assert!(!stands || (way.y - way_uv.y).abs() <= slack);
         }
     }
 }
@@ -221,6 +263,15 @@ fn the_checks_can_fail() {
         let mut wild = good.clone();
         wild.positions[0].y = f64::NAN;
         assert!(fault(&wild).is_some_and(|f| f.contains("finite")));
+
+        let mut untextured = good.clone();
+        untextured.triangle_uvs = vec![[0; 3]];
+        untextured.uvs = vec![[0.0; 2]];
+        assert!(fault(&untextured).is_some_and(|f| f.contains("not all")));
+        untextured.triangle_uvs = vec![[0, 0, 1]; good.triangles.len()];
+        assert!(fault(&untextured).is_some_and(|f| f.contains("no texture coordinates 1")));
+        untextured.uvs.push([0.0, f64::INFINITY]);
+        assert!(fault(&untextured).is_some_and(|f| f.contains("not finite")));
 
         let mut thin = good.clone();
         let [a, b, c] = thin.triangles[7].map(|i| i as usize);

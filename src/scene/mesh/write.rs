@@ -11,7 +11,7 @@ use super::super::Mesh;
 const CHUNK: usize = 1 << 16;
 
 /// Writes `mesh` as OBJ: a comment that names rayproof and the mesh, then its
-/// `v`, `vn` and `f` lines. Numbers are in the shortest form that reads back to
+/// `v`, `vt`, `vn` and `f` lines. Numbers are in the shortest form that reads back to
 /// the same f64. Materials are not written. `out` gets few and large writes, it
 /// needs no buffer of its own.
 ///
@@ -28,18 +28,26 @@ pub fn write_obj(mesh: &Mesh, name: &str, out: &mut impl Write) -> std::io::Resu
         mesh.triangles.len()
     )?;
     write_lines(&mesh.positions, out, |p, text| vector("v", p, text))?;
+    write_lines(&mesh.uvs, out, |[u, v], text| {
+        writeln!(text, "vt {u:?} {v:?}")
+    })?;
     write_lines(&mesh.normals, out, |n, text| vector("vn", n, text))?;
-    if mesh.triangle_normals.is_empty() {
-        return write_lines(&mesh.triangles, out, |t, text| {
-            let [a, b, c] = t.map(one_based);
-            writeln!(text, "f {a} {b} {c}")
-        });
-    }
-    let corners: Vec<_> = mesh.triangles.iter().zip(&mesh.triangle_normals).collect();
-    write_lines(&corners, out, |(t, n), text| {
-        let [a, b, c] = t.map(one_based);
-        let [na, nb, nc] = n.map(one_based);
-        writeln!(text, "f {a}//{na} {b}//{nb} {c}//{nc}")
+    let numbers: Vec<usize> = (0..mesh.triangles.len()).collect();
+    write_lines(&numbers, out, |&i, text| {
+        text.push(b'f');
+        let [uvs, normals] = [&mesh.triangle_uvs, &mesh.triangle_normals].map(|list| list.get(i));
+        for (corner, &vertex) in mesh.triangles[i].iter().enumerate() {
+            let of = |list: Option<&[u32; 3]>| list.map(|list| one_based(list[corner]));
+            let vertex = one_based(vertex);
+            match (of(uvs), of(normals)) {
+                (None, None) => write!(text, " {vertex}")?,
+                (Some(uv), None) => write!(text, " {vertex}/{uv}")?,
+                (None, Some(normal)) => write!(text, " {vertex}//{normal}")?,
+                (Some(uv), Some(normal)) => write!(text, " {vertex}/{uv}/{normal}")?,
+            }
+        }
+        text.push(b'\n');
+        Ok(())
     })
 }
 
@@ -100,14 +108,17 @@ mod tests {
                     .positions
                     .push([number(1), number(2), number(3)].into()),
                 ("vn", 4) => mesh.normals.push([number(1), number(2), number(3)].into()),
+                ("vt", 3) => mesh.uvs.push([number(1), number(2)]),
                 ("f", 4) => {
-                    let corner = |i: usize| words[i].split("//").map(index).collect::<Vec<_>>();
+                    let corner = |i: usize| words[i].split('/').collect::<Vec<_>>();
                     let corners = [corner(1), corner(2), corner(3)];
-                    mesh.triangles.push([0, 1, 2].map(|i: usize| corners[i][0]));
-                    if corners[0].len() == 2 {
-                        let normals = [0, 1, 2].map(|i: usize| corners[i][1]);
-                        mesh.triangle_normals.push(normals);
-                    }
+                    let numbers = |part: usize| {
+                        let here = corners[0].get(part).is_some_and(|word| !word.is_empty());
+                        here.then(|| [0, 1, 2].map(|i: usize| index(corners[i][part])))
+                    };
+                    mesh.triangles.extend(numbers(0));
+                    mesh.triangle_uvs.extend(numbers(1));
+                    mesh.triangle_normals.extend(numbers(2));
                 }
                 _ => panic!("{line}"),
             }
@@ -135,6 +146,15 @@ mod tests {
             let mut other = mesh.clone();
             other.positions[9].x = other.positions[9].x.next_up();
             assert!(!same(&other, &back), "{kind:?}");
+
+            // With and without each of what a corner may have.
+            let mut flat = mesh.clone();
+            (flat.normals, flat.triangle_normals) = (Vec::new(), Vec::new());
+            let mut plain = mesh;
+            (plain.uvs, plain.triangle_uvs) = (Vec::new(), Vec::new());
+            for mesh in [flat, plain] {
+                assert!(same(&mesh, &read(&text_of(&mesh, "part"))), "{kind:?}");
+            }
         }
     }
 

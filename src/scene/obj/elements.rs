@@ -1,5 +1,5 @@
 //! The lines of an OBJ file: cleaned, checked, counted, and reduced to what
-//! `tobj` shall parse (`v`, `vn` and `f`).
+//! `tobj` shall parse (`v`, `vt`, `vn` and `f`).
 
 use std::collections::HashMap;
 
@@ -14,6 +14,8 @@ pub(super) struct FaceNote {
     pub line: u32,
     /// Index into [`Notes::names`], or [`NO_MATERIAL`].
     pub material: u32,
+    /// Every corner has texture coordinates. `tobj` makes up those that are missing.
+    pub has_uvs: bool,
     /// Every corner has a normal. `tobj` makes up those that are missing.
     pub has_normals: bool,
 }
@@ -138,24 +140,24 @@ impl Elements {
         Ok(())
     }
 
-    fn texture_vertex(&mut self, data: &str, line: usize) -> Result<(), Fault> {
+    fn texture_vertex(&mut self, data: &str, line: usize, out: &mut String) -> Result<(), Fault> {
         self.count(1, line)?;
-        let faulty = data.split_whitespace().find(|w| w.parse::<f64>().is_err());
-        match faulty {
-            Some(word) => Err(Fault::at(
-                line,
-                format!("`{word}` is not a number: a texture vertex is `vt u v`"),
-            )),
-            None => Ok(()),
-        }
+        let words = data.split_whitespace();
+        // u, u v or u v w: v is 0 where it is left out, and w is not kept. A line of none is
+        // for `tobj` to refuse.
+        let missing = (words.clone().count() == 1).then_some("0");
+        self.pass(out, "vt", words.chain(missing).take(2));
+        Ok(())
     }
 
     fn face(&mut self, data: &str, line: usize, out: &mut String) -> Result<(), Fault> {
         let words = data.split_whitespace();
         let mut corners = 0;
-        let mut has_normals = true;
+        let (mut has_uvs, mut has_normals) = (true, true);
         for word in words.clone() {
-            has_normals &= self.indices.corner(word, &self.counts, line)?;
+            let present = self.indices.corner(word, &self.counts, line)?;
+            has_uvs &= present.uv;
+            has_normals &= present.normal;
             corners += 1;
         }
         if corners < 3 {
@@ -167,6 +169,7 @@ impl Elements {
             let note = FaceNote {
                 line: u32::try_from(line).unwrap_or(u32::MAX),
                 material: self.material_id(),
+                has_uvs,
                 has_normals,
             };
             self.notes.faces.push(note);
@@ -208,7 +211,7 @@ impl Translate for Elements {
         let data = rest.split('#').next().unwrap_or_default();
         match element(keyword) {
             Some(Element::Vertex) => self.vertex(data, number, out)?,
-            Some(Element::TextureVertex) => self.texture_vertex(data, number)?,
+            Some(Element::TextureVertex) => self.texture_vertex(data, number, out)?,
             Some(Element::Normal) => {
                 self.count(2, number)?;
                 self.pass(out, "vn", data.split_whitespace().take(3));
@@ -267,6 +270,7 @@ pub(super) fn explain(text: &str, error: &tobj::LoadError) -> String {
     let mut words = text.split_whitespace();
     let (form, count) = match words.next() {
         Some("v") => ("a vertex is `v x y z`", 3),
+        Some("vt") => ("a texture vertex is `vt u v`", 1),
         Some("vn") => ("a normal is `vn x y z`", 3),
         _ => return error.to_string(),
     };

@@ -1,9 +1,10 @@
-//! Hands `tobj` one checked line at a time, so that no second copy of the file
+//! Hands `tobj` (or no one) one checked line at a time, so that no second copy of the file
 //! is held and the line at fault is known when `tobj` stops.
 
 use std::io::{self, BufRead, BufReader, Read};
 
-use super::read::{Capped, Fault, LogicalLines};
+use super::read::{Fault, LogicalLines};
+use crate::scene::guard::Capped;
 
 /// Checks the lines of a file and rewrites them for `tobj`.
 pub(super) trait Translate {
@@ -41,9 +42,12 @@ impl<R: Read, T: Translate> Feed<R, T> {
         }
     }
 
-    /// Bytes read from the file.
-    pub fn seen(&self) -> u64 {
-        self.lines.inner().get_ref().seen()
+    /// Reads to the end what the translator keeps to itself: it passes nothing on. Gives it
+    /// and the bytes read.
+    pub fn run(mut self) -> Result<(T, u64), Fault> {
+        self.advance()?;
+        let seen = self.lines.inner().get_ref().seen();
+        Ok((self.translate, seen))
     }
 
     /// The translator, once `tobj` is done; or the fault, worded by `explain`

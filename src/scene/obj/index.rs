@@ -7,6 +7,13 @@ pub(super) type Counts = [u64; 3];
 
 const NAMES: [&str; 3] = ["v", "vt", "vn"];
 
+/// What a corner has beside its position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Present {
+    pub uv: bool,
+    pub normal: bool,
+}
+
 /// Checks the indices of faces. Some may point at lines that are yet to come.
 #[derive(Debug, Default)]
 pub(super) struct Indices {
@@ -17,9 +24,9 @@ pub(super) struct Indices {
 }
 
 impl Indices {
-    /// Checks one corner against the lines counted so far and says whether it
-    /// has a normal.
-    pub fn corner(&mut self, word: &str, counts: &Counts, line: usize) -> Result<bool, Fault> {
+    /// Checks one corner against the lines counted so far and says what it
+    /// has beside its position.
+    pub fn corner(&mut self, word: &str, counts: &Counts, line: usize) -> Result<Present, Fault> {
         let mut parts = word.split('/');
         let mut present = [false; 3];
         for kind in 0..3 {
@@ -36,7 +43,10 @@ impl Indices {
                 format!("`{word}` is not a corner: {CORNER_FORMS}"),
             ));
         }
-        Ok(present[2])
+        Ok(Present {
+            uv: present[1],
+            normal: present[2],
+        })
     }
 
     fn index(&mut self, text: &str, kind: usize, count: u64, line: usize) -> Result<(), String> {

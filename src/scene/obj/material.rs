@@ -1,14 +1,16 @@
-//! MTL files: the diffuse colour (`Kd`) of each material that faces use.
+//! The materials that faces name, from MTL files and the images that these name.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use super::elements::{NO_MATERIAL, Notes, name, statement};
-use super::feed::{Feed, Translate};
-use super::read::{Capped, Fault, Guard, Refusal};
-use super::tally::Tally;
-use crate::error::Result;
-use crate::scene::{Material, Rgb};
+use super::elements::{NO_MATERIAL, Notes};
+use super::library::{Described, load_library};
+use super::map::Map;
+use super::read::Fault;
+use crate::error::{Error, Result};
+use crate::scene::guard::{Guard, Refusal};
+use crate::scene::texels::Images;
+use crate::scene::{Material, Pattern, Rgb, Texture};
 
 /// The albedo of a material that no file describes; many programs write it for
 /// a surface that nobody gave a colour.
@@ -21,20 +23,33 @@ const DEFAULT_NAME: &str = "default";
 /// disk and a warning, and honest files name one.
 const MAX_LIBRARIES: usize = 64;
 
-/// The materials that the faces name; [`Notes::names`] with their albedos, and
+/// The length of one repeat where a face has no texture coordinates.
+const TEXTURE_SIZE: f64 = 1.0;
+
+/// What the reader of materials may use and must keep to.
+pub(super) struct Sources<'a> {
+    pub guard: &'a Guard,
+    /// Of all MTL files together.
+    pub max_bytes: u64,
+    pub images: &'a mut Images,
+}
+
+/// A material as described, and the file that does it.
+type Libraries = HashMap<String, (Described, PathBuf)>;
+
+/// The materials that the faces name, those of [`Notes::names`], and
 /// one more if faces without a material come among them.
 pub(super) fn resolve(
     obj: &Path,
-    guard: &Guard,
-    max_bytes: u64,
+    sources: Sources<'_>,
     notes: &Notes,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<Material>> {
-    let albedos = load_libraries(obj, guard, max_bytes, notes, warnings)?;
+    let described = load_libraries(obj, &sources, notes, warnings)?;
     let mut undefined = notes
         .names
         .iter()
-        .filter(|&name| !albedos.contains_key(name));
+        .filter(|&name| !described.contains_key(name));
     if let Some(first) = undefined.next() {
         warnings.push(match undefined.count() {
             0 => format!("material `{first}` is defined nowhere: taken as grey"),
@@ -44,38 +59,84 @@ pub(super) fn resolve(
             ),
         });
     }
-    let mut materials: Vec<_> = notes
-        .names
-        .iter()
-        .map(|name| Material {
-            name: name.clone(),
-            albedo: albedos.get(name).copied().unwrap_or(DEFAULT_ALBEDO),
-            ..Material::default()
-        })
-        .collect();
+    let grey = |name: &str| Material {
+        name: name.to_string(),
+        albedo: DEFAULT_ALBEDO,
+        ..Material::default()
+    };
+    let mut materials = Vec::new();
+    for name in &notes.names {
+        materials.push(match described.get(name) {
+            Some((described, path)) => Material {
+                name: name.clone(),
+                ..material(described, path, sources.images, warnings)?
+            },
+            None => grey(name),
+        });
+    }
     let some_name_none = notes.faces.iter().any(|face| face.material == NO_MATERIAL);
     if some_name_none && !notes.names.is_empty() {
-        materials.push(Material {
-            name: DEFAULT_NAME.to_string(),
-            albedo: DEFAULT_ALBEDO,
-            ..Material::default()
-        });
+        materials.push(grey(DEFAULT_NAME));
     }
     Ok(materials)
 }
 
-/// All albedos of all MTL files; where a name comes twice, the last counts.
+/// A material that the MTL file at `path` describes.
+fn material(
+    described: &Described,
+    path: &Path,
+    images: &mut Images,
+    warnings: &mut Vec<String>,
+) -> Result<Material> {
+    let texture = described.texture.as_ref();
+    let unchanged = if texture.is_some() {
+        [1.0; 3]
+    } else {
+        DEFAULT_ALBEDO
+    };
+    let same_file = |holes: &&Map| texture.is_some_and(|texture| texture.file == holes.file);
+    let holes = described.holes.as_ref();
+    if let Some(other) = holes.filter(|holes| !same_file(holes)) {
+        warnings.push(format!(
+            "{}: map_d (line {}) not applied: it must name the image of map_Kd, whose alpha counts",
+            path.display(),
+            other.line
+        ));
+    }
+    Ok(Material {
+        albedo: described.albedo.unwrap_or(unchanged),
+        emission: described.emission,
+        texture: texture.map(|map| image(map, path, images)).transpose()?,
+        cutout: holes.is_some_and(|holes| same_file(&holes)),
+        ..Material::default()
+    })
+}
+
+fn image(map: &Map, path: &Path, images: &mut Images) -> Result<Texture> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let image = images.load(&folder.join(&map.file));
+    let image = image.map_err(|error| match error {
+        Error::Asset { .. } => Fault::at(map.line, format!("map_Kd: {error}")).into_error(path),
+        other => other,
+    })?;
+    Ok(Texture {
+        pattern: Pattern::Image(image),
+        repeat: map.repeat,
+        size: TEXTURE_SIZE,
+    })
+}
+
+/// All materials of all MTL files; where a name comes twice, the last counts.
 fn load_libraries(
     obj: &Path,
-    guard: &Guard,
-    max_bytes: u64,
+    sources: &Sources<'_>,
     notes: &Notes,
     warnings: &mut Vec<String>,
-) -> Result<HashMap<String, Rgb>> {
+) -> Result<Libraries> {
     let folder = obj.parent().unwrap_or(Path::new(""));
-    let mut budget = max_bytes;
+    let mut budget = sources.max_bytes;
     let mut seen: Vec<PathBuf> = Vec::new();
-    let mut albedos = HashMap::new();
+    let mut described = Libraries::new();
     for (rest, line) in &notes.libraries {
         for file_name in file_names(rest) {
             let path = folder.join(file_name);
@@ -86,11 +147,12 @@ fn load_libraries(
                 let message = format!("more than {MAX_LIBRARIES} MTL files");
                 return Err(Fault::at(*line, message).into_error(obj));
             }
-            match guard.open(&path, budget) {
+            match sources.guard.open(&path, budget) {
                 Ok(file) => {
-                    let (defined, bytes) = load_library(file, &path, warnings)
+                    let (materials, bytes) = load_library(file, &path, warnings)
                         .map_err(|fault| fault.into_error(&path))?;
-                    albedos.extend(defined);
+                    let placed = |(name, material)| (name, (material, path.clone()));
+                    described.extend(materials.into_iter().map(placed));
                     budget = budget.saturating_sub(bytes);
                 }
                 Err(Refusal::Missing) => warnings.push(format!(
@@ -104,7 +166,7 @@ fn load_libraries(
             seen.push(path);
         }
     }
-    Ok(albedos)
+    Ok(described)
 }
 
 /// `mtllib` may name several files, and names may have spaces in them: a name
@@ -125,105 +187,6 @@ fn file_names(rest: &str) -> Vec<&str> {
     names.retain(|name| !name.is_empty());
     names
 }
-
-/// The albedos in one MTL file, and the number of bytes read.
-fn load_library(
-    file: Capped,
-    path: &Path,
-    warnings: &mut Vec<String>,
-) -> std::result::Result<(HashMap<String, Rgb>, u64), Fault> {
-    let mut feed = Feed::new(file, Library::default());
-    let loaded = tobj::load_mtl_buf(&mut feed);
-    let bytes = feed.seen();
-    let library = feed.finish(loaded.as_ref().err(), |text, error| {
-        format!("{error}: {text}")
-    })?;
-    let path = path.display();
-    if library.outside.count > 0 {
-        let told = library.outside.sentence(
-            "colour outside 0 to 1 clamped",
-            "colours outside 0 to 1 clamped",
-        );
-        warnings.push(format!("{path}: {told}"));
-    }
-    if library.unread.count > 0 {
-        let told = library.unread.sentence(
-            "colour in a form that is not read taken as grey",
-            "colours in a form that is not read taken as grey",
-        );
-        warnings.push(format!("{path}: {told}"));
-    }
-    let (materials, _) = loaded.unwrap_or_default();
-    let albedos = materials.into_iter().map(|material| {
-        let albedo = material.diffuse.unwrap_or(DEFAULT_ALBEDO);
-        (material.name, albedo.map(|c| c.clamp(0.0, 1.0)))
-    });
-    Ok((albedos.collect(), bytes))
-}
-
-/// Passes on `newmtl` and `Kd`, all that is used of an MTL file. `tobj` panics
-/// on a `Kd` of fewer than three numbers.
-#[derive(Debug, Default)]
-struct Library {
-    outside: Tally,
-    unread: Tally,
-}
-
-impl Translate for Library {
-    fn line(
-        &mut self,
-        line: &str,
-        number: usize,
-        out: &mut String,
-    ) -> std::result::Result<(), Fault> {
-        let Some((keyword, rest)) = statement(line) else {
-            return Ok(());
-        };
-        if keyword.eq_ignore_ascii_case("newmtl") {
-            let name = name(rest);
-            if name.is_empty() {
-                return Err(Fault::at(
-                    number,
-                    "a material without a name: `newmtl NAME`",
-                ));
-            }
-            out.push_str("newmtl ");
-            out.push_str(name);
-        } else if keyword.eq_ignore_ascii_case("Kd") {
-            let data = rest.split('#').next().unwrap_or_default();
-            if data.trim_start().starts_with("spectral") || data.trim_start().starts_with("xyz") {
-                self.unread.add(number);
-                return Ok(());
-            }
-            let [r, g, b] = colour(data).map_err(|message| Fault::at(number, message))?;
-            if [r, g, b].iter().any(|c| !(0.0..=1.0).contains(c)) {
-                self.outside.add(number);
-            }
-            out.push_str(&format!("Kd {r} {g} {b}"));
-        }
-        Ok(())
-    }
-
-    fn end(&mut self) -> std::result::Result<(), Fault> {
-        Ok(())
-    }
-}
-
-/// Three numbers, or one for all three.
-fn colour(data: &str) -> std::result::Result<Rgb, String> {
-    let parse = |word: &str| match word.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(format!("`{word}` is not a finite number: {COLOUR_FORM}")),
-    };
-    let values = data.split_whitespace().map(parse);
-    match values.collect::<std::result::Result<Vec<_>, _>>()?[..] {
-        [grey] => Ok([grey; 3]),
-        [r, g, b] => Ok([r, g, b]),
-        ref values => Err(format!("{} numbers: {COLOUR_FORM}", values.len())),
-    }
-}
-
-const COLOUR_FORM: &str = "a diffuse colour is `Kd r g b`, each from 0 to 1";
 
 #[cfg(test)]
 mod tests {

@@ -1,4 +1,4 @@
-//! Wavefront OBJ and MTL files: `tobj` parses, this module guards.
+//! Wavefront OBJ and MTL files: `tobj` parses the former, this module guards.
 //!
 //! What `tobj` is given has been read under a cap, cleaned and checked line by
 //! line (`elements`), so that every fault has a file, a line and a remedy,
@@ -9,6 +9,8 @@ mod build;
 mod elements;
 mod feed;
 mod index;
+mod library;
+mod map;
 mod material;
 mod polygon;
 mod read;
@@ -16,18 +18,22 @@ mod tally;
 
 use std::path::{Path, PathBuf};
 
+use super::guard::{Capped, Guard, Refusal};
+use super::texels::{ImageOptions, Images};
 use super::{Material, Mesh};
 use crate::error::Result;
 use elements::{Elements, Notes};
 use feed::Feed;
-use read::{Capped, Fault, Guard, Refusal};
+use material::Sources;
+use read::Fault;
 
 /// What an OBJ file and its MTL files hold.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ObjFile {
     /// The triangles. [`Mesh::triangle_materials`] are indices into
     /// `materials`; empty where no face names a material. Every position is
-    /// finite and part of a triangle; every triangle has an area.
+    /// finite and part of a triangle; every triangle has an area. If some
+    /// faces have texture coordinates at each corner, the others take 0, 0.
     pub mesh: Mesh,
     /// The materials that the faces name, in the order of their first use. If
     /// faces without a material come among them, one called `default` is last.
@@ -69,7 +75,7 @@ impl Default for ObjOptions {
 /// Reads an OBJ file and the MTL files that it names.
 ///
 /// Positions are f64 in the file's own units. Polygons are cut into triangles
-/// of the same orientation. `vt` and vertex colours are checked, not kept.
+/// of the same orientation. Vertex colours are checked, not kept.
 /// Positions beyond 1e15 in magnitude count as non-finite.
 ///
 /// # Errors
@@ -78,9 +84,23 @@ impl Default for ObjOptions {
 /// regular file, lies outside [`ObjOptions::root`], is over a limit, has a
 /// malformed number or an index that refers to nothing; with
 /// [`ObjOptions::strict`] also if anything would be dropped. A missing MTL
-/// file is a warning.
+/// file is a warning. Of the images that the materials in use name, what
+/// [`texels::load`](super::texels::load) refuses, with the line that names it; [`ImageOptions`]
+/// are the default ones, under the same root.
 pub fn load(path: &Path, options: &ObjOptions) -> Result<ObjFile> {
-    let guard = Guard::new(options)?;
+    let images = ImageOptions {
+        root: options.root.clone(),
+        ..ImageOptions::default()
+    };
+    load_with(path, options, &mut Images::new(images))
+}
+
+/// As [`load`], with images that several files may share.
+///
+/// # Errors
+/// As there.
+pub fn load_with(path: &Path, options: &ObjOptions, images: &mut Images) -> Result<ObjFile> {
+    let guard = Guard::new(options.root.as_deref())?;
     let file = guard.open(path, options.max_bytes).map_err(|refusal| {
         let message = match refusal {
             Refusal::Missing => "no such file".to_string(),
@@ -97,7 +117,12 @@ pub fn load(path: &Path, options: &ObjOptions) -> Result<ObjFile> {
     if mesh.triangles.is_empty() {
         warnings.push("no face in the file: the mesh is empty".to_string());
     }
-    let materials = material::resolve(path, &guard, options.max_bytes, &notes, &mut warnings)?;
+    let sources = Sources {
+        guard: &guard,
+        max_bytes: options.max_bytes,
+        images,
+    };
+    let materials = material::resolve(path, sources, &notes, &mut warnings)?;
     Ok(ObjFile {
         mesh,
         materials,

@@ -17,11 +17,16 @@ impl Tally {
         self.count += 1;
     }
 
-    /// `one` or `many`, with the count in front and the first line behind.
-    pub fn sentence(&self, one: &str, many: &str) -> String {
+    /// `one` or `many`, with the count in front and the first line behind; none if it did
+    /// not happen.
+    pub fn sentence(&self, one: &str, many: &str) -> Option<String> {
         match self.count {
-            1 => format!("1 {one} (line {})", self.first_line),
-            count => format!("{count} {many} (the first in line {})", self.first_line),
+            0 => None,
+            1 => Some(format!("1 {one} (line {})", self.first_line)),
+            count => Some(format!(
+                "{count} {many} (the first in line {})",
+                self.first_line
+            )),
         }
     }
 }
@@ -34,6 +39,7 @@ pub(super) struct Dropped {
     pub degenerate: Tally,
     pub non_finite: Tally,
     pub fanned: Tally,
+    pub wild_uvs: Tally,
     pub unread: Tally,
 }
 
@@ -67,6 +73,11 @@ impl Dropped {
                 "polygons cut as fans: they cross themselves or are warped",
             ),
             (
+                &self.wild_uvs,
+                "face with non-finite texture coordinates taken without: they must stay below 1e15",
+                "faces with non-finite texture coordinates taken without: they must stay below 1e15",
+            ),
+            (
                 &self.unread,
                 "line with a keyword that is not read",
                 "lines with a keyword that is not read",
@@ -83,7 +94,7 @@ impl Dropped {
             ));
         }
         Ok(told
-            .map(|(tally, one, many)| tally.sentence(one, many))
+            .filter_map(|(tally, one, many)| tally.sentence(one, many))
             .collect())
     }
 }

@@ -10,6 +10,7 @@ use crate::Result;
 use crate::scene::mesh::{self, Builtin};
 use crate::scene::obj::{self, ObjOptions};
 use crate::scene::policy::Policy;
+use crate::scene::texels::{ImageOptions, Images};
 use crate::scene::{Material, Mesh, check};
 
 /// Where a mesh comes from.
@@ -108,6 +109,8 @@ pub(super) struct Library<'p> {
     folder: &'p Path,
     policy: &'p Policy,
     assets: HashMap<Source, std::result::Result<Asset, String>>,
+    /// All images of the scene, those of its meshes included.
+    pub(super) images: Images,
     pub(super) warnings: Vec<String>,
 }
 
@@ -117,6 +120,7 @@ impl<'p> Library<'p> {
             folder,
             policy,
             assets: HashMap::new(),
+            images: Images::new(ImageOptions::of(policy, root(folder, policy))),
             warnings: Vec::new(),
         }
     }
@@ -150,15 +154,20 @@ impl<'p> Library<'p> {
         }
     }
 
-    fn read(&self, path: &Path) -> Result<obj::ObjFile> {
+    fn read(&mut self, path: &Path) -> Result<obj::ObjFile> {
         let options = ObjOptions {
             max_bytes: self.policy.max_mesh_bytes,
             max_triangles: self.policy.max_mesh_triangles,
             strict: self.policy.strict,
-            root: (!self.policy.allow_outside).then(|| self.folder.to_owned()),
+            root: root(self.folder, self.policy),
         };
-        obj::load(path, &options)
+        obj::load_with(path, &options, &mut self.images)
     }
+}
+
+/// The folder that files must lie under, if there is one.
+fn root(folder: &Path, policy: &Policy) -> Option<PathBuf> {
+    (!policy.allow_outside).then(|| folder.to_owned())
 }
 
 #[cfg(test)]
