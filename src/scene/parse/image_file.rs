@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use super::faults::Faults;
 use super::value::{Value, text};
+use crate::Result;
 use crate::scene::policy::Policy;
+use crate::scene::texels::{self, ImageOptions};
 use crate::scene::{Texels, check};
-use crate::{Error, Result};
 
 /// The endings of the files that hold more than the 8 bits of a screen.
 const WIDE_RANGE: [&str; 2] = ["exr", "hdr"];
@@ -90,10 +91,7 @@ impl<'p> Images<'p> {
 }
 
 /// The texels of an image file in the scene's folder.
-fn load_texels(folder: &Path, name: &str, _policy: &Policy) -> Result<Texels> {
-    Err(Error::Asset {
-        path: folder.join(name),
-        line: None,
-        message: "images cannot be read yet".into(),
-    })
+fn load_texels(folder: &Path, name: &str, policy: &Policy) -> Result<Texels> {
+    let root = (!policy.allow_outside).then(|| folder.to_owned());
+    texels::load(&folder.join(name), &ImageOptions::of(policy, root))
 }
