@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::bounds::{self, Bounds};
 use crate::count::{CountMap, Counters};
-use crate::effects::{effects_of, takes_samples};
+use crate::effects::{EffectSet, effects_of, takes_samples};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::flatten::flatten;
@@ -79,6 +79,9 @@ pub struct Settings {
     pub accuracy: Accuracy,
     /// Bounding volumes; they change the time, never the picture.
     pub bounds: Bounds,
+    /// Effects that are in the shaders though the scene may not call for them; they change
+    /// the time, never the picture.
+    pub forced: EffectSet,
 }
 
 impl From<Accuracy> for Settings {
@@ -218,7 +221,7 @@ pub fn render_until(
             run::<Double>(scene, backend, settings, watch, until, &mut |flat, keep| {
                 if !may_retrace(flat, Portions::default()) {
                     // So many primitives by brute force, or lights: in f64 from the beginning.
-                    trace_plainly(flat, backend, watch, keep)?;
+                    trace_plainly(flat, backend, settings, watch, keep)?;
                     return Ok(u64::from(flat.size[0]) * u64::from(flat.size[1]));
                 }
                 let first = flat.converted::<Bounded>();
@@ -229,13 +232,21 @@ pub fn render_until(
                         Ok(prepared.retraced())
                     }
                     Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-                        let mut prepared = adaptive(gpu, &first, flat, Portions::default())?;
+                        let mut prepared = adaptive(gpu, &first, flat, portions_of(settings))?;
                         prepared.run(watch, keep)?;
                         Ok(prepared.retraced())
                     }),
                 }
             })
         }
+    }
+}
+
+/// How a device is asked for what the settings say.
+fn portions_of(settings: Settings) -> Portions {
+    Portions {
+        forced: settings.forced,
+        ..Portions::default()
     }
 }
 
@@ -248,7 +259,7 @@ fn plainly<R: Real>(
     until: Until<'_>,
 ) -> Result<Rendering> {
     run::<R>(scene, backend, settings, watch, until, &mut |flat, keep| {
-        trace_plainly(flat, backend, watch, keep)?;
+        trace_plainly(flat, backend, settings, watch, keep)?;
         Ok(0)
     })
 }
@@ -256,13 +267,14 @@ fn plainly<R: Real>(
 fn trace_plainly<R: Real>(
     flat: &Flat<R>,
     backend: &Backend,
+    settings: Settings,
     watch: &dyn Watch,
     keep: &mut KeepRows<'_>,
 ) -> Result<()> {
     match backend {
         Backend::Cpu(threads) => cpu::render(flat, *threads, watch, keep),
         Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-            gpu::render::render(gpu, flat, Portions::default(), watch, keep)
+            gpu::render::render(gpu, flat, portions_of(settings), watch, keep)
         }),
     }
 }
@@ -347,13 +359,13 @@ fn run<R: Real>(
     let build_ms = milliseconds(build_started);
     let mut frame = Frame::new(flat.size[0], flat.size[1])?;
     let trace_started = Instant::now();
-    let samples = takes_samples(&flat.counts());
+    let samples = takes_samples(&flat.counts(), settings.forced);
     let mut taken = Taken {
         samples: 1,
         ..Taken::default()
     };
     let mut retraced = if samples {
-        taken = sample(&flat, backend, &mut frame, watch, until)?;
+        taken = sample(&flat, backend, settings, &mut frame, watch, until)?;
         Some(0)
     } else {
         trace_and_keep(&flat, trace, &mut frame)?
@@ -414,6 +426,7 @@ fn trace_and_keep<R: Real>(
 fn sample<R: Real>(
     flat: &Flat<R>,
     backend: &Backend,
+    settings: Settings,
     frame: &mut Frame,
     watch: &dyn Watch,
     mut until: Until<'_>,
@@ -432,7 +445,7 @@ fn sample<R: Real>(
             )
         }
         Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-            let mut sampler = gpu::sampled::Sampled::new(gpu, flat, Portions::default())?;
+            let mut sampler = gpu::sampled::Sampled::new(gpu, flat, portions_of(settings))?;
             let preview = until.preview.as_mut().map(Preview::again);
             take_samples(&mut sampler, frame, flat.samples, enough, watch, preview)
         }),

@@ -164,7 +164,11 @@ fn nor_on_the_gpu() {
         hits += plain.id.iter().filter(|id| **id != u32::MAX).count();
         for bounds in CHOICES {
             let accuracy = Accuracy::Robust;
-            let bounded = frame(Settings { accuracy, bounds });
+            let bounded = frame(Settings {
+                accuracy,
+                bounds,
+                forced: rayproof::effects::EffectSet::NONE,
+            });
             assert!(plain.has_bits_of(&bounded), "{bounds:?}: {scene:#?}");
         }
     }

@@ -100,6 +100,7 @@ fn rays_test_few_volumes() {
         let settings = Settings {
             accuracy: Accuracy::Robust,
             bounds,
+            forced: rayproof::effects::EffectSet::NONE,
         };
         let cpu = Backend::Cpu(None);
         count(&scene("seed-spheres"), &cpu, settings, &Unwatched)

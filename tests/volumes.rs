@@ -18,7 +18,11 @@ use rayproof::scene::{Geometry, Group, GroupBound, Shape};
 use rayproof::{Accuracy, Backend, Scene, Unwatched};
 
 fn with(accuracy: Accuracy, bounds: Bounds) -> Settings {
-    Settings { accuracy, bounds }
+    Settings {
+        accuracy,
+        bounds,
+        forced: rayproof::effects::EffectSet::NONE,
+    }
 }
 
 fn counters(backend: &Backend, accuracy: Accuracy, bounds: Bounds) -> Counters {

@@ -138,6 +138,7 @@ impl TracingFlags {
         Ok(Settings {
             accuracy: self.accuracy(),
             bounds: self.place.bounds()?,
+            forced: rayproof::effects::EffectSet::NONE,
         })
     }
 

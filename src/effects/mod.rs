@@ -4,16 +4,23 @@
 //! bindings too. [`table`] is the only place that knows; nothing else in the program asks
 //! whether an effect is on.
 
+mod cause;
 mod device;
 mod files;
+mod removal;
+mod set;
 pub mod table;
 
+pub use cause::Cause;
 pub use device::{DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, Entry, Fetch};
 pub use files::{select_files, shader_files};
+pub use removal::without;
+pub use set::EffectSet;
 pub use table::EFFECTS;
 
 use crate::flat::Counts;
 use crate::gpu::program::Source;
+use crate::scene::Scene;
 
 /// The shader file of a name, with its text.
 macro_rules! file {
@@ -39,6 +46,10 @@ pub struct Effect {
     along_paths: [&'static [Source]; 2],
     /// The buffers that it brings, by the names of the shader's variables.
     pub bindings: &'static [&'static str],
+    /// What in a scene calls for it; none for volumes, which the settings ask for.
+    cause: Option<fn(&Scene) -> Option<Cause>>,
+    /// Takes what calls for it out of a scene.
+    removal: Option<fn(&mut Scene)>,
 }
 
 /// What kind of part of the shader an effect is.
@@ -74,6 +85,8 @@ impl Effect {
             off,
             along_paths: [&[], &[]],
             bindings: &[],
+            cause: None,
+            removal: None,
         }
     }
 
@@ -90,6 +103,15 @@ impl Effect {
         Self { bindings, ..self }
     }
 
+    /// With what calls for it, and how that is taken out of a scene.
+    const fn by(self, cause: fn(&Scene) -> Option<Cause>, removal: fn(&mut Scene)) -> Self {
+        Self {
+            cause: Some(cause),
+            removal: Some(removal),
+            ..self
+        }
+    }
+
     /// The shader files with the effect, or without it, as an entry needs them.
     pub fn files(&self, on: bool, entry: Entry) -> impl Iterator<Item = Source> {
         let samples = entry == Entry::Samples;
@@ -100,6 +122,17 @@ impl Effect {
         let along: &[Source] = if samples { along } else { &[] };
         let files = everywhere.iter().chain(along).copied();
         files.filter(move |_| concerns)
+    }
+
+    /// What in the scene calls for it.
+    pub fn cause(&self, scene: &Scene) -> Option<Cause> {
+        self.cause.and_then(|cause| cause(scene))
+    }
+
+    /// Whether it may be in a shader whose scene does not call for it: volumes may not, they
+    /// would be searched.
+    pub fn may_be_forced(&self) -> bool {
+        !matches!(self.part, Part::Bounds | Part::Screen)
     }
 
     /// Whether a scene calls for it.
@@ -114,8 +147,10 @@ pub fn effects_of(counts: &Counts) -> Vec<&'static str> {
     on.map(|effect| effect.name).collect()
 }
 
-/// Whether a scene's pictures are made of samples, by a path each, since an effect asks for it.
-pub fn takes_samples(counts: &Counts) -> bool {
-    let mut paths = EFFECTS.iter().filter(|effect| effect.part == Part::Path);
-    paths.any(|effect| effect.is_called_for(counts))
+/// Whether a scene's pictures are made of samples, by a path each, since an effect asks for
+/// it that the scene calls for or that is forced.
+pub fn takes_samples(counts: &Counts, forced: EffectSet) -> bool {
+    let paths = EFFECTS.iter().filter(|effect| effect.part == Part::Path);
+    let mut on = paths.filter(|effect| effect.is_called_for(counts) || forced.has(effect));
+    on.next().is_some()
 }

@@ -8,7 +8,7 @@ use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
 use super::program::Source;
 use super::scene::PackedScene;
-use crate::effects::{Device, Entry, Fetch, shader_files};
+use crate::effects::{Device, Effect, Entry, Fetch, select_files};
 use crate::error::Result;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
@@ -41,7 +41,7 @@ impl Loaded {
         portions: Portions,
         change: &dyn Fn(&mut Vec<Source>),
     ) -> Result<Self> {
-        let mut scene = PackedScene::of(flat);
+        let mut scene = PackedScene::of(flat, portions.forced);
         let mut sampling = flat.sampling;
         if entry == Entry::Samples {
             sampling = scene.add_path_tables(flat);
@@ -55,7 +55,9 @@ impl Loaded {
             divide: gpu.arithmetic.divide_file(),
             fetch,
         };
-        let mut files = shader_files(&flat.counts(), device);
+        let counts = flat.counts();
+        let is_on = |effect: &Effect| effect.is_called_for(&counts) || portions.forced.has(effect);
+        let mut files = select_files(is_on, device);
         change(&mut files);
         let kernel = gpu.kernel(&files, R::WIDTH)?;
         Ok(Self {

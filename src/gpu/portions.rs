@@ -1,6 +1,6 @@
 //! How a scene is portioned out to a device, and what is measured on the way.
 
-use crate::effects::Fetch;
+use crate::effects::{EffectSet, Fetch};
 
 /// Primitives that one dispatch tests at most: below the 65,535 loop iterations
 /// that lavapipe allows an invocation, with room for the other loops.
@@ -13,6 +13,8 @@ pub struct Portions {
     pub primitives_per_dispatch: u32,
     /// Where the scene lies; none for what the device reads best.
     pub fetch: Option<Fetch>,
+    /// Effects that are in the shader though the scene may not call for them.
+    pub forced: EffectSet,
     /// Whether volumes and shapes are counted, as [`super::render::count`] does.
     pub count: bool,
     /// Whether hits are found and coloured in passes apart, which the device times, see
@@ -34,6 +36,7 @@ impl Default for Portions {
         Self {
             primitives_per_dispatch: PRIMITIVES_PER_DISPATCH,
             fetch: None,
+            forced: EffectSet::NONE,
             count: false,
             time: false,
         }

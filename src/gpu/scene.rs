@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, cast_slice};
 
+use crate::effects::EffectSet;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::{QUAD, SamplingRecord, Tables};
@@ -17,8 +18,8 @@ pub(super) struct PackedScene {
 }
 
 impl PackedScene {
-    /// Packs a flattened scene.
-    pub(super) fn of<R: Real>(flat: &Flat<R>) -> Self {
+    /// Packs a flattened scene, with what forced effects read that it does not call for.
+    pub(super) fn of<R: Real>(flat: &Flat<R>, forced: EffectSet) -> Self {
         let mut quads = Vec::with_capacity(flat.bytes() as usize / size_of::<Quad>() + 16);
         let tables = Tables {
             spheres: push_reals::<R, _>(&mut quads, &flat.spheres),
@@ -28,7 +29,7 @@ impl PackedScene {
             disk_ids: push_words(&mut quads, &flat.disk_ids),
             triangles: push_records(&mut quads, &flat.triangles),
             vertices: push_vertices(&mut quads, &flat.vertices),
-            vertex_normals: push_vectors(&mut quads, &flat.vertex_normals),
+            vertex_normals: push_normals(&mut quads, flat, forced),
             pairs: push_records(&mut quads, &flat.pairs),
             volumes: push_records(&mut quads, &flat.volumes),
             volume_count: flat.volumes.len() as u32,
@@ -113,6 +114,14 @@ fn push_words(quads: &mut Vec<Quad>, words: &[u32]) -> u32 {
     begin
 }
 
+/// Adds the normals of the vertices, zero where they are read though the scene has none.
+fn push_normals<R>(quads: &mut Vec<Quad>, flat: &Flat<R>, forced: EffectSet) -> u32 {
+    if flat.vertex_normals.is_empty() && forced != EffectSet::NONE {
+        return push_vectors(quads, &vec![[0.0; 3]; flat.vertices.len()]);
+    }
+    push_vectors(quads, &flat.vertex_normals)
+}
+
 /// Adds a table of vectors, a quad each, and tells where it begins.
 fn push_vectors(quads: &mut Vec<Quad>, vectors: &[[f32; 3]]) -> u32 {
     let begin = quads.len() as u32;
@@ -132,13 +141,13 @@ mod tests {
     #[test]
     fn tables_begin_at_whole_quads() {
         let mut flat = crate::flatten::flatten::<f32>(&Scene::default());
-        let empty = PackedScene::of(&flat);
+        let empty = PackedScene::of(&flat, EffectSet::NONE);
         assert_eq!(empty.quads.len(), 1);
         flat.spheres = vec![Sphere::default(); 5];
         flat.sphere_ids = vec![4, 3, 2, 1, 7];
         flat.material_indices = vec![9; 5];
         flat.vertices = vec![[1.0, 2.0, 3.0]];
-        let packed = PackedScene::of(&flat);
+        let packed = PackedScene::of(&flat, EffectSet::NONE);
         let tables = packed.tables;
         assert_eq!(
             (tables.spheres, tables.sphere_ids, tables.planes),

@@ -32,6 +32,7 @@ pub fn gpu() -> Gpu {
 pub const BRUTE_FORCE: Settings = Settings {
     accuracy: Accuracy::Robust,
     bounds: Bounds::None,
+    forced: rayproof::effects::EffectSet::NONE,
 };
 
 /// Every choice of volumes but brute force.
@@ -137,7 +138,11 @@ pub fn assert_bounds_change_nothing(scene: &Scene, choices: &[Bounds]) {
     let gpu = Backend::Gpu(Box::new(gpu()));
     let cpu = Backend::Cpu(None);
     let on = |backend: &Backend, accuracy, bounds| {
-        let settings = Settings { accuracy, bounds };
+        let settings = Settings {
+            accuracy,
+            bounds,
+            forced: rayproof::effects::EffectSet::NONE,
+        };
         rayproof::render(scene, backend, settings, &Unwatched)
             .unwrap()
             .frame

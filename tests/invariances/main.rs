@@ -66,7 +66,11 @@ fn generated(seed: u64) -> Scene {
 
 fn picture(scene: &Scene, backend: &Backend, accuracy: Accuracy, bounds: Bounds) -> Frame {
     scene.validate().unwrap();
-    let settings = Settings { accuracy, bounds };
+    let settings = Settings {
+        accuracy,
+        bounds,
+        forced: rayproof::effects::EffectSet::NONE,
+    };
     rayproof::render(scene, backend, settings, &Unwatched)
         .unwrap()
         .frame

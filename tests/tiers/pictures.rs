@@ -9,7 +9,11 @@ use super::common::{assert_same_bits, compare, scene};
 use super::{PICTURES, backends};
 
 fn render(scene: &Scene, backend: &Backend, accuracy: Accuracy, bounds: Bounds) -> (Frame, u64) {
-    let settings = Settings { accuracy, bounds };
+    let settings = Settings {
+        accuracy,
+        bounds,
+        forced: rayproof::effects::EffectSet::NONE,
+    };
     let rendering = rayproof::render(scene, backend, settings, &Unwatched).unwrap();
     (rendering.frame, rendering.stats.retraced.unwrap_or(0))
 }
