@@ -95,3 +95,49 @@ fn load_texels(folder: &Path, name: &str, policy: &Policy) -> Result<Texels> {
     let root = (!policy.allow_outside).then(|| folder.to_owned());
     texels::load(&folder.join(name), &ImageOptions::of(policy, root))
 }
+
+#[cfg(test)]
+mod tests {
+    use toml::de::DeTable;
+
+    use super::*;
+
+    /// Images of a grey each, as if they had been read.
+    fn with(greys: &[(&str, f32)]) -> HashMap<PathBuf, std::result::Result<Image, String>> {
+        let image = |&(name, grey): &(&str, f32)| {
+            let texels = Texels {
+                name: name.into(),
+                width: 1,
+                height: 1,
+                texels: vec![[grey, 0.0, 0.0, 1.0]],
+            };
+            let largest = check::texels(&texels).map_err(|flaw| flaw.message);
+            let image = largest.map(|largest| Image {
+                texels: Arc::new(texels),
+                largest,
+            });
+            (PathBuf::from(name), image)
+        };
+        greys.iter().map(image).collect()
+    }
+
+    #[test]
+    fn an_image_is_kept_and_an_albedo_ends_at_1() {
+        let policy = Policy::default();
+        let mut images = Images::new(Path::new("."), &policy);
+        images.loaded = with(&[("white.exr", 1.0), ("lamp.exr", 9.0)]);
+        let text = "white = 'white.exr'\nlamp = 'lamp.exr'\n";
+        let table = DeTable::parse(text).expect("two keys");
+        let file = |key| table.get_ref().get(key).expect("a key");
+        let mut faults = Faults::new(text, Vec::new(), Vec::new());
+        let first = images.albedo(file("white"), &mut faults).expect("white");
+        let second = images
+            .wide_range(file("white"), &mut faults)
+            .expect("white");
+        assert!(Arc::ptr_eq(&first, &second));
+        assert!(images.wide_range(file("lamp"), &mut faults).is_some());
+        assert!(faults.is_empty());
+        assert!(images.albedo(file("lamp"), &mut faults).is_none());
+        assert!(!faults.is_empty());
+    }
+}
