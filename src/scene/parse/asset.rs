@@ -229,4 +229,39 @@ mod tests {
         };
         assert!(Asset::new(mesh, Vec::new()).is_err());
     }
+
+    #[test]
+    fn meshes_share_images_and_their_room() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let write = |name: &str, text: &str| {
+            std::fs::write(folder.path().join(name), text).expect("a file");
+        };
+        let image = folder.path().join("a.png");
+        crate::frame::write_rgb8(&image, 2, 2, &[9; 12]).expect("an image");
+        write("a.mtl", "newmtl m\nmap_Kd a.png\n");
+        for name in ["a.obj", "b.obj"] {
+            write(
+                name,
+                "mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+            );
+        }
+        let texture = |library: &mut Library<'_>, name: &str| {
+            let asset = library.get(&Source::file(name.into()))?;
+            Ok::<_, String>(asset.materials[0].texture.clone())
+        };
+        let policy = |max_texels| Policy {
+            max_texels,
+            ..Policy::default()
+        };
+        let enough = policy(4);
+        let mut library = Library::new(folder.path(), &enough);
+        let first = texture(&mut library, "a.obj").expect("a mesh");
+        assert!(first.is_some());
+        assert_eq!(texture(&mut library, "b.obj"), Ok(first));
+        let short = policy(3);
+        let refusal = texture(&mut Library::new(folder.path(), &short), "a.obj");
+        let message = refusal.expect_err("too large");
+        assert!(message.contains("a.mtl:2: map_Kd"), "{message}");
+        assert!(message.contains("more than the 3 allowed"), "{message}");
+    }
 }

@@ -1,18 +1,14 @@
 //! Each format there and back, and each refusal.
 
-use std::fs;
-use std::io::Cursor;
+mod files;
 
-use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Layer, LayerAttributes, SmallVec, WritableImage,
-};
-use image::codecs::hdr::HdrEncoder;
-use image::codecs::jpeg::JpegEncoder;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, Rgb};
+use std::fs;
+
+use image::ExtendedColorType;
 use tempfile::TempDir;
 
 use super::*;
+use files::{exr_of, hdr_of, jpeg_of, png_of};
 
 fn read_with(bytes: &[u8], options: &ImageOptions) -> Result<Texels> {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -33,51 +29,6 @@ fn refusal_with(bytes: &[u8], options: &ImageOptions) -> String {
 
 fn refusal(bytes: &[u8]) -> String {
     refusal_with(bytes, &ImageOptions::default())
-}
-
-fn png_of(bytes: &[u8], width: u32, height: u32, kind: ExtendedColorType) -> Vec<u8> {
-    let mut file = Vec::new();
-    PngEncoder::new(&mut file)
-        .write_image(bytes, width, height, kind)
-        .expect("in memory");
-    file
-}
-
-fn jpeg_of(bytes: &[u8], width: u32, height: u32, kind: ExtendedColorType) -> Vec<u8> {
-    let mut file = Vec::new();
-    JpegEncoder::new_with_quality(&mut file, 100)
-        .encode(bytes, width, height, kind)
-        .expect("in memory");
-    file
-}
-
-fn hdr_of(texels: &[[f32; 3]], width: usize, height: usize) -> Vec<u8> {
-    let mut file = Vec::new();
-    let texels: Vec<_> = texels.iter().map(|&texel| Rgb(texel)).collect();
-    HdrEncoder::new(&mut file)
-        .encode(&texels, width, height)
-        .expect("in memory");
-    file
-}
-
-fn exr_of(size: (usize, usize), channels: &[(&str, &[f32])]) -> Vec<u8> {
-    let channels = channels
-        .iter()
-        .map(|&(name, values)| AnyChannel::new(name, FlatSamples::F32(values.to_vec())))
-        .collect::<SmallVec<_>>();
-    let layer = Layer::new(
-        size,
-        LayerAttributes::default(),
-        Encoding::SMALL_LOSSLESS,
-        AnyChannels::sort(channels),
-    );
-    let mut file = Cursor::new(Vec::new());
-    exr::prelude::Image::from_layer(layer)
-        .write()
-        .non_parallel()
-        .to_buffered(&mut file)
-        .expect("in memory");
-    file.into_inner()
 }
 
 /// IEC 61966-2-1, from its text.
@@ -221,6 +172,20 @@ fn garbage_is_refused_and_never_panics() {
                     assert_eq!(image.check(), Ok(()));
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn an_hdr_in_another_space_or_order_is_refused() {
+    for line in [
+        "FORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n",
+        "\n+Y 1 +X 1\n",
+        "\n+X 1 -Y 1\n",
+    ] {
+        for first in ["#?RADIANCE", "#?RGBE"] {
+            let file = [first.as_bytes(), b"\n", line.as_bytes(), &[9; 4]].concat();
+            refusal(&file);
         }
     }
 }
