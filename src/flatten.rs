@@ -181,8 +181,7 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, materials: &[Material]
     match &shape.geometry {
         Geometry::Sphere { center, radius } => {
             flat.sphere_ids.push(flat.primitives());
-            let center = place(*center, transform, eye);
-            let radius = radius * uniform_scale(transform);
+            let (center, radius) = placed_sphere(transform, *center, *radius, eye);
             flat.spheres.push(Sphere {
                 center: real_vector(center),
                 radius: R::from_f64(radius),
@@ -291,6 +290,19 @@ fn given_bound<R: Real>(bound: GroupBound, eye: DVec3) -> Option<GivenBound<R>> 
             padding_1: 0.0,
         })),
     }
+}
+
+/// Middle, camera-relative, and radius of a sphere.
+pub(crate) fn placed_sphere(
+    transform: &Transform,
+    center: DVec3,
+    radius: f64,
+    eye: DVec3,
+) -> (DVec3, f64) {
+    (
+        place(center, transform, eye),
+        radius * uniform_scale(transform),
+    )
 }
 
 /// From a shape's own coordinates to camera-relative ones.

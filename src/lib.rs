@@ -40,6 +40,7 @@ pub mod layout;
 pub mod measure;
 pub mod oracle;
 pub mod paths;
+pub mod plan;
 mod ramp;
 pub mod random;
 pub mod render;

@@ -76,8 +76,9 @@ pub(super) fn run(arguments: &CompareArguments, common: &Common) -> Result<Outco
 /// The left scene on the GPU, the right one on the CPU.
 fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result<Comparison> {
     let place = &arguments.place;
-    let left_scene = place.load(&arguments.left)?;
-    let right_scene = place.load(right)?;
+    let effects = &arguments.effects;
+    let left_scene = effects.change(place.load(&arguments.left)?)?;
+    let right_scene = effects.change(place.load(right)?)?;
     same_size(&left_scene.image, &right_scene.image)?;
     let gpu = place.open_gpu()?;
     let mut otherwise = Tolerance::default();
@@ -97,6 +98,7 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
     }
     let settings = Settings {
         bounds: place.bounds()?,
+        forced: arguments.effects.forced()?,
         ..Settings::default()
     };
     let tolerance = arguments.tolerance(otherwise);

@@ -6,9 +6,12 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::accuracy::flags::AccuracyArguments;
 use super::bench::flags::BenchArguments;
+use super::effect_flags::EffectFlags;
+use super::plan::flags::PlanArguments;
 use super::shown::Shown;
 use super::stability::flags::StabilityArguments;
 use super::tracing_flags::{PlaceFlags, PolicyFlags, TracingFlags};
+use super::until_flags::UntilFlags;
 use super::why::flags::WhyArguments;
 use rayproof::compare::Tolerance;
 use rayproof::scene::mesh::{Builtin, MAX_DETAIL, MIN_DETAIL};
@@ -35,6 +38,8 @@ pub(super) enum Command {
     Accuracy(AccuracyArguments),
     /// Try the hard cases of ray tracing in every accuracy tier on every adapter
     Stability(StabilityArguments),
+    /// Say which effects a scene calls for and why, what is left out, and what each costs
+    Plan(PlanArguments),
     /// Explain one pixel: what its ray meets in each accuracy tier and in truth, and why
     Why(WhyArguments),
     /// Check a scene and all that it refers to, and report every fault at once
@@ -83,6 +88,10 @@ pub(super) struct RenderArguments {
     pub(super) output: PathBuf,
     #[command(flatten)]
     pub(super) tracing: TracingFlags,
+    #[command(flatten)]
+    pub(super) effects: EffectFlags,
+    #[command(flatten)]
+    pub(super) until: UntilFlags,
     /// What a pixel shows; for .exr several, or all layers of the picture if none is
     /// given. `tests` and `bounds` are heat maps of what its ray tests, the latter with
     /// the outlines of the volumes
@@ -107,6 +116,8 @@ pub(super) struct CompareArguments {
     pub(super) output: Option<PathBuf>,
     #[command(flatten)]
     pub(super) place: PlaceFlags,
+    #[command(flatten)]
+    pub(super) effects: EffectFlags,
     /// Units in the last place by which a value may differ
     #[arg(long, value_name = "N")]
     pub(super) max_ulp: Option<u32>,

@@ -8,10 +8,12 @@ mod bench;
 mod check;
 mod compare;
 mod doctor;
+mod effect_flags;
 mod faults;
 mod flags;
 mod memory;
 mod mesh;
+mod plan;
 mod plan_flags;
 mod progress;
 mod render;
@@ -19,6 +21,7 @@ mod report;
 mod shown;
 mod stability;
 mod tracing_flags;
+mod until_flags;
 mod why;
 
 use std::process::ExitCode;
@@ -58,6 +61,7 @@ fn run(cli: &Cli) -> Result<Outcome> {
         Command::Bench(arguments) => bench::run(arguments, &cli.common),
         Command::Accuracy(arguments) => accuracy::run(arguments, &cli.common),
         Command::Stability(arguments) => stability::run(arguments, &cli.common),
+        Command::Plan(arguments) => plan::run(arguments, &cli.common),
         Command::Why(arguments) => why::run(arguments, &cli.common),
         Command::Check(arguments) => check::run(arguments, &cli.common),
         Command::Doctor => doctor::run(&cli.common),

@@ -13,7 +13,8 @@ use super::shown::{Shown, Written, one_layer_of};
 use rayproof::count::{COUNT_BYTES, CountMap};
 use rayproof::error::{Error, Result};
 use rayproof::frame::{self, Frame};
-use rayproof::render::{Rendering, Settings, Stats, count, render};
+use rayproof::render::{Rendering, Settings, Stats, Until, count, render_until};
+use rayproof::samples::Preview;
 
 /// The kinds of picture that can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,16 +55,41 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
         frame::check_writable(path)?;
     }
     let scene = arguments.tracing.place.load(&arguments.scene)?;
+    let (until, effects) = (&arguments.until, &arguments.effects);
+    let scene = until.change(effects.change(scene)?, effects.samples);
     let counts = arguments.count || shown.iter().any(|shown| shown.is_counted());
     let counting = if counts { COUNT_BYTES } else { 0 };
     let (width, height) = (scene.image.width, scene.image.height);
     Frame::check_memory(width, height, format.packing() + counting)?;
-    let settings = arguments.tracing.settings()?;
+    let settings = Settings {
+        forced: effects.forced()?,
+        ..arguments.tracing.settings()?
+    };
     let backend = arguments.tracing.open_backend()?;
     tracing::info!("rendering on {}", backend.describe());
 
     let progress = Progress::new(common, format!("{}", arguments.scene.display()));
-    let mut rendering = render(&scene, &backend, settings, &progress)?;
+    let mut preview = |frame: &Frame, samples: u32| {
+        tracing::info!("{samples} samples so far");
+        let written = Written {
+            scene: &scene,
+            settings,
+            frame,
+            counted: &CountMap::default(),
+        };
+        written.write(format, &arguments.output, &shown)
+    };
+    // Counts are there only when the picture is done.
+    let may_preview = !shown.iter().any(|shown| shown.is_counted());
+    let every = until.preview_every().filter(|_| may_preview);
+    let until = Until {
+        enough: until.enough(),
+        preview: every.map(|every| Preview {
+            every,
+            show: &mut preview,
+        }),
+    };
+    let mut rendering = render_until(&scene, &backend, settings, &progress, until)?;
     drop(progress);
     // Without volumes, where some rays met too many.
     let settings = Settings {
@@ -86,10 +112,8 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
         frame: &rendering.frame,
         counted: &counted,
     };
-    match format {
-        Format::Png => written.write_png(&arguments.output, shown[0], scene.image.transfer)?,
-        Format::Exr => written.write_exr(&arguments.output, &shown)?,
-    }
+    written.write(format, &arguments.output, &shown)?;
+    warn_of_faults(&rendering.stats);
 
     let figures = Figures {
         scene: arguments.scene.display().to_string(),
@@ -105,6 +129,26 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
         report::print(&summary(&rendering, arguments, &backend.describe()))?;
     }
     Ok(Outcome::Done)
+}
+
+impl Written<'_> {
+    fn write(&self, format: Format, output: &Path, shown: &[Shown]) -> Result<()> {
+        match format {
+            Format::Png => self.write_png(output, shown[0], self.scene.image.transfer),
+            Format::Exr => self.write_exr(output, shown),
+        }
+    }
+}
+
+/// Says so where samples were left out.
+fn warn_of_faults(stats: &Stats) {
+    if let Some([x, y]) = stats.first_fault {
+        tracing::warn!(
+            "{} samples were infinite or not a number, and are left out; \
+             the first one is in pixel ({x}, {y})",
+            stats.faults
+        );
+    }
 }
 
 fn format_of(path: &Path) -> Result<Format> {
@@ -153,6 +197,12 @@ fn summary(rendering: &Rendering, arguments: &RenderArguments, backend: &str) ->
             ),
         ),
     ];
+    if stats.samples > 1 {
+        let noise = stats.noise.map_or(String::new(), |noise| {
+            format!(", {:.2} % noise", 100.0 * noise)
+        });
+        rows.push(("samples", format!("{} a pixel{noise}", stats.samples)));
+    }
     if let Some(counters) = stats.counters {
         let tested = format!(
             "{} met of {} tested",

@@ -2,7 +2,10 @@
 
 use std::fmt::{self, Display};
 
-use crate::scene::{Geometry, Light, Material, Mesh, Origin, Scene, Shape};
+use glam::DVec3;
+
+use crate::flatten::{camera_power, placed_sphere};
+use crate::scene::{AreaForm, Geometry, Light, Material, Origin, Scene, Shape};
 
 /// What in a scene calls for an effect: the first of its kind, and how many more there are.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -72,4 +75,149 @@ fn material(scene: &Scene, calls: impl Fn(&Material) -> bool) -> Option<Cause> {
     let name = |material: &Material| Some(material.name.clone());
     let origins = &scene.origins.materials;
     first("material", &scene.materials, origins, calls, name)
+}
+
+pub(super) fn spheres(scene: &Scene) -> Option<Cause> {
+    let is_sphere = |shape: &Shape| matches!(shape.geometry, Geometry::Sphere { .. });
+    shape(scene, "sphere", is_sphere)
+        .or_else(|| lamp(scene, |form| matches!(form, AreaForm::Sphere { .. })))
+}
+
+pub(super) fn near_spheres(scene: &Scene) -> Option<Cause> {
+    let eye = scene.camera.eye;
+    let is_near = |shape: &Shape| match shape.geometry {
+        Geometry::Sphere { center, radius } => is_near_sphere(shape, center, radius, eye),
+        _ => false,
+    };
+    shape(scene, "the camera near shape", is_near)
+}
+
+pub(super) fn planes(scene: &Scene) -> Option<Cause> {
+    let is_plane = |shape: &Shape| matches!(shape.geometry, Geometry::Plane { .. });
+    shape(scene, "plane", is_plane)
+}
+
+pub(super) fn disks(scene: &Scene) -> Option<Cause> {
+    let is_disk = |shape: &Shape| matches!(shape.geometry, Geometry::Disk { .. });
+    shape(scene, "disk", is_disk)
+        .or_else(|| lamp(scene, |form| matches!(form, AreaForm::Disk { .. })))
+}
+
+pub(super) fn triangles(scene: &Scene) -> Option<Cause> {
+    let has_some = |shape: &Shape| match &shape.geometry {
+        Geometry::Triangle { .. } => true,
+        Geometry::Mesh(mesh) => !mesh.triangles.is_empty(),
+        _ => false,
+    };
+    shape(scene, "mesh", has_some)
+        .or_else(|| lamp(scene, |form| matches!(form, AreaForm::Rectangle { .. })))
+}
+
+pub(super) fn smooth_normals(scene: &Scene) -> Option<Cause> {
+    let is_smooth = |shape: &Shape| match &shape.geometry {
+        Geometry::Mesh(mesh) => !mesh.triangle_normals.is_empty(),
+        _ => false,
+    };
+    shape(scene, "mesh", is_smooth)
+}
+
+pub(super) fn point_lights(scene: &Scene) -> Option<Cause> {
+    let is_point = |light: &Light| matches!(light, Light::Point { .. });
+    light(scene, "light", is_point)
+}
+
+pub(super) fn directional_lights(scene: &Scene) -> Option<Cause> {
+    let is_directional = |light: &Light| matches!(light, Light::Directional { .. });
+    light(scene, "light", is_directional)
+}
+
+pub(super) fn hard_shadows(scene: &Scene) -> Option<Cause> {
+    let throws = |light: &Light| {
+        matches!(
+            light,
+            Light::Point { shadow: true, .. } | Light::Directional { shadow: true, .. }
+        )
+    };
+    light(scene, "light", throws)
+}
+
+pub(super) fn soft_shadows(scene: &Scene) -> Option<Cause> {
+    lamp(scene, |_| true)
+}
+
+pub(super) fn mirrors(scene: &Scene) -> Option<Cause> {
+    material(scene, |material| material.mirror != [0.0; 3])
+}
+
+pub(super) fn refraction(scene: &Scene) -> Option<Cause> {
+    material(scene, |material| material.ior.is_some())
+}
+
+pub(super) fn textures(scene: &Scene) -> Option<Cause> {
+    material(scene, |material| material.texture.is_some())
+}
+
+pub(super) fn cutouts(scene: &Scene) -> Option<Cause> {
+    material(scene, |material| material.cutout)
+}
+
+pub(super) fn emission(scene: &Scene) -> Option<Cause> {
+    material(scene, |material| material.emission != [0.0; 3]).or_else(|| lamp(scene, |_| true))
+}
+
+pub(super) fn environment(scene: &Scene) -> Option<Cause> {
+    let is_there = scene.environment.is_some();
+    table("[environment]", &scene.origins.environment, is_there)
+}
+
+pub(super) fn depth_of_field(scene: &Scene) -> Option<Cause> {
+    let has_lens = scene.camera.aperture > 0.0;
+    table("the aperture of [camera]", &scene.origins.camera, has_lens)
+}
+
+pub(super) fn motion_blur(scene: &Scene) -> Option<Cause> {
+    let moves = scene.camera.velocity != DVec3::ZERO;
+    shape(scene, "shape", |shape| shape.velocity != DVec3::ZERO)
+        .or_else(|| table("the velocity of [camera]", &scene.origins.camera, moves))
+}
+
+pub(super) fn fog(scene: &Scene) -> Option<Cause> {
+    table("[fog]", &scene.origins.fog, scene.fog.is_some())
+}
+
+pub(super) fn ambient_occlusion(scene: &Scene) -> Option<Cause> {
+    let occludes = scene.occlusion > 0.0;
+    table(
+        "the occlusion of [ambient]",
+        &scene.origins.ambient,
+        occludes,
+    )
+}
+
+pub(super) fn indirect_light(scene: &Scene) -> Option<Cause> {
+    let bounces = scene.integrator.bounces > 0;
+    table(
+        "the bounces of [integrator]",
+        &scene.origins.integrator,
+        bounces,
+    )
+}
+
+pub(super) fn anti_aliasing(scene: &Scene) -> Option<Cause> {
+    let many = scene.integrator.samples > 1;
+    let what = format!("{} samples of [integrator]", scene.integrator.samples);
+    table(&what, &scene.origins.integrator, many)
+}
+
+/// Whether the camera is near a placed sphere, as [`crate::flatten`] sees it.
+fn is_near_sphere(shape: &Shape, center: DVec3, radius: f64, eye: DVec3) -> bool {
+    let (center, radius) = placed_sphere(&shape.transform, center, radius, eye);
+    camera_power(center.to_array(), radius).is_some()
+}
+
+fn lamp(scene: &Scene, is_meant: impl Fn(&AreaForm) -> bool) -> Option<Cause> {
+    light(scene, "light", |light| match light {
+        Light::Area { form, .. } => is_meant(form),
+        _ => false,
+    })
 }

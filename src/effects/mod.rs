@@ -48,7 +48,7 @@ pub struct Effect {
     pub bindings: &'static [&'static str],
     /// What in a scene calls for it; none for volumes, which the settings ask for.
     cause: Option<fn(&Scene) -> Option<Cause>>,
-    /// Takes what calls for it out of a scene.
+    /// Takes what calls for it out of a scene; none for shapes, and for volumes.
     removal: Option<fn(&mut Scene)>,
 }
 
@@ -103,13 +103,16 @@ impl Effect {
         Self { bindings, ..self }
     }
 
-    /// With what calls for it, and how that is taken out of a scene.
-    const fn by(self, cause: fn(&Scene) -> Option<Cause>, removal: fn(&mut Scene)) -> Self {
-        Self {
-            cause: Some(cause),
-            removal: Some(removal),
-            ..self
-        }
+    /// With what calls for it.
+    const fn caused_by(self, cause: fn(&Scene) -> Option<Cause>) -> Self {
+        let cause = Some(cause);
+        Self { cause, ..self }
+    }
+
+    /// With how what calls for it is taken out of a scene.
+    const fn removed_by(self, removal: fn(&mut Scene)) -> Self {
+        let removal = Some(removal);
+        Self { removal, ..self }
     }
 
     /// The shader files with the effect, or without it, as an entry needs them.
@@ -127,6 +130,18 @@ impl Effect {
     /// What in the scene calls for it.
     pub fn cause(&self, scene: &Scene) -> Option<Cause> {
         self.cause.and_then(|cause| cause(scene))
+    }
+
+    /// Whether what calls for it can be taken out of a scene.
+    pub fn is_removable(&self) -> bool {
+        self.removal.is_some()
+    }
+
+    /// All its files for an entry that do something, whichever entries it concerns.
+    pub fn all_files(&self, entry: Entry) -> impl Iterator<Item = Source> {
+        let [along, _] = self.along_paths;
+        let along: &[Source] = if entry == Entry::Samples { along } else { &[] };
+        self.on.iter().chain(along).copied()
     }
 
     /// Whether it may be in a shader whose scene does not call for it: volumes may not, they

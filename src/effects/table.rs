@@ -1,6 +1,6 @@
 //! THE table: what a scene calls for, and which shader files and buffers that brings in.
 
-use super::{Effect, Part, file};
+use super::{Effect, Part, cause, file, removal};
 
 /// Every effect.
 pub const EFFECTS: &[Effect] = &[
@@ -14,14 +14,16 @@ pub const EFFECTS: &[Effect] = &[
             file!("spheres_on.wgsl"),
         ],
         &[file!("spheres_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::spheres),
     Effect::new(
         "near spheres",
         Part::Primitives,
         |counts| counts.near_spheres > 0,
         &[file!("near_spheres_on.wgsl")],
         &[file!("near_spheres_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::near_spheres),
     Effect::new(
         "planes",
         Part::Primitives,
@@ -32,7 +34,8 @@ pub const EFFECTS: &[Effect] = &[
             file!("planes_on.wgsl"),
         ],
         &[file!("planes_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::planes),
     Effect::new(
         "disks",
         Part::Primitives,
@@ -45,7 +48,8 @@ pub const EFFECTS: &[Effect] = &[
             file!("disks_on.wgsl"),
         ],
         &[file!("disks_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::disks),
     Effect::new(
         "triangles",
         Part::Primitives,
@@ -56,7 +60,8 @@ pub const EFFECTS: &[Effect] = &[
             file!("triangles_on.wgsl"),
         ],
         &[file!("triangles_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::triangles),
     Effect::new(
         "tree",
         Part::Bounds,
@@ -100,7 +105,9 @@ pub const EFFECTS: &[Effect] = &[
         |counts| counts.vertex_normals > 0,
         &[file!("smooth_normals_on.wgsl")],
         &[file!("smooth_normals_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::smooth_normals)
+    .removed_by(removal::smooth_normals),
     Effect::new(
         "point lights",
         Part::Light,
@@ -111,7 +118,9 @@ pub const EFFECTS: &[Effect] = &[
     .along_paths(
         &[file!("point_sources_on.wgsl")],
         &[file!("point_sources_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::point_lights)
+    .removed_by(removal::point_lights),
     Effect::new(
         "directional lights",
         Part::Light,
@@ -122,40 +131,52 @@ pub const EFFECTS: &[Effect] = &[
     .along_paths(
         &[file!("directional_sources_on.wgsl")],
         &[file!("directional_sources_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::directional_lights)
+    .removed_by(removal::directional_lights),
     Effect::new(
         "hard shadows",
         Part::Path,
         |counts| counts.shadowed_lights > 0,
         &[file!("hard_shadows_on.wgsl"), file!("blockers_on.wgsl")],
         &[file!("hard_shadows_off.wgsl"), file!("blockers_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::hard_shadows)
+    .removed_by(removal::hard_shadows),
     Effect::new(
         "emission",
         Part::Path,
         |counts| counts.emissions > 0,
         &[file!("emission_on.wgsl")],
         &[file!("emission_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::emission)
+    .removed_by(removal::emission),
     Effect::new(
         "ambient occlusion",
         Part::Path,
         |counts| counts.occlusion,
         &[file!("occlusion_on.wgsl")],
         &[file!("occlusion_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::ambient_occlusion)
+    .removed_by(removal::ambient_occlusion),
     Effect::new(
         "indirect light",
         Part::Path,
         |counts| counts.bounces > 0,
         &[file!("indirect_on.wgsl")],
         &[file!("indirect_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::indirect_light)
+    .removed_by(removal::indirect_light),
     Effect::new(
         "anti-aliasing",
         Part::Path,
         |counts| counts.samples > 1,
         &[file!("anti_aliasing_on.wgsl")],
         &[file!("anti_aliasing_off.wgsl")],
-    ),
+    )
+    .caused_by(cause::anti_aliasing)
+    .removed_by(removal::anti_aliasing),
 ];

@@ -16,6 +16,7 @@ use glam::DVec3;
 use super::{Geometry, Group, GroupBound, Mesh, Pattern, Scene, Shape, Sky, Texels};
 use crate::{Error, Result};
 pub(super) use camera::*;
+pub use integrator::MAX_SAMPLES;
 pub(super) use integrator::*;
 pub use light::MAX_LIGHTS;
 pub(super) use light::*;

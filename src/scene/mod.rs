@@ -24,7 +24,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 pub use camera::{Camera, Image, PixelSampling, Transfer};
-pub use check::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MIN_SIZE};
+pub use check::{MAX_IMAGE_SIDE, MAX_LIGHTS, MAX_MAGNITUDE, MAX_SAMPLES, MIN_SIZE};
 pub use integrator::{Integrator, Strategy};
 pub use light::{AreaForm, Falloff, Light};
 pub use material::Material;

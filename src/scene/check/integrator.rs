@@ -4,7 +4,7 @@ use super::rule::{Verdict, whole};
 use crate::scene::Integrator;
 
 /// Paths through a pixel at most.
-const MAX_SAMPLES: u64 = 65_536;
+pub const MAX_SAMPLES: u32 = 65_536;
 
 /// Bounces and reflections of a path at most: of light that surfaces of albedo 0.8 have
 /// scattered so often, less than a millionth is left (0.8^64 = 6e-7).
@@ -19,7 +19,7 @@ pub fn integrator(integrator: &Integrator) -> Verdict {
 
 /// Paths through a pixel.
 pub fn samples(what: &str, n: u64) -> Verdict {
-    whole(what, n, 1..=MAX_SAMPLES)
+    whole(what, n, 1..=MAX_SAMPLES.into())
 }
 
 /// Bounces or reflections of a path.
