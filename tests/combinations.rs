@@ -4,7 +4,7 @@ use naga::{Scalar, TypeInner};
 use rayon::prelude::*;
 use rayproof::Accuracy;
 use rayproof::effects::{
-    DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Entry, Fetch, select_files,
+    DIVIDE_CORRECTED, DIVIDE_NATIVE, Device, EFFECTS, Entry, Fetch, Part, select_files,
 };
 use rayproof::gpu::program::{Program, Source};
 use rayproof::tier::{Formulas, Width};
@@ -18,7 +18,18 @@ const NATIVE: Device = Device {
     entry: Entry::Tile,
 };
 
-const ENTRIES: [Entry; 6] = [
+const ENTRIES: [Entry; 7] = [
+    Entry::Tile,
+    Entry::Samples,
+    Entry::DoubtfulPixels,
+    Entry::Rays,
+    Entry::DoubtfulRays,
+    Entry::Paths,
+    Entry::DoubtfulPaths,
+];
+
+/// The entries that follow no paths of light.
+const PLAIN: [Entry; 6] = [
     Entry::Tile,
     Entry::DoubtfulPixels,
     Entry::Rays,
@@ -82,6 +93,7 @@ fn every_tier_and_entry_compiles() {
                 let stages: Vec<&str> = program.entry_points().collect();
                 let expected = match entry {
                     Entry::Tile => "trace_tile",
+                    Entry::Samples => "sample_tile",
                     Entry::Rays | Entry::Paths => "trace_rays",
                     _ => "retrace",
                 };
@@ -91,17 +103,17 @@ fn every_tier_and_entry_compiles() {
     }
 }
 
-/// Every combination of effects is a valid module, and an effect that is off
+/// Every combination of the effects of one ray a pixel is a valid module, and an effect that is off
 /// leaves no function behind. What a device brings, and what is asked of it, changes with the
 /// combination.
 #[test]
 fn every_combination_of_effects_compiles() {
-    (0..1u32 << EFFECTS.len())
+    let plain = || EFFECTS.iter().filter(|effect| effect.part != Part::Path);
+    (0..1u32 << plain().count())
         .into_par_iter()
         .for_each(|choice| {
             let on = |name: &str| {
-                EFFECTS
-                    .iter()
+                plain()
                     .position(|effect| effect.name == name)
                     .is_some_and(|index| choice >> index & 1 == 1)
             };
@@ -119,7 +131,7 @@ fn every_combination_of_effects_compiles() {
                 count: choice & 2 == 2,
                 ..of_tier(
                     Accuracy::ALL[choice as usize % 5],
-                    ENTRIES[choice as usize / 5 % ENTRIES.len()],
+                    PLAIN[choice as usize / 5 % PLAIN.len()],
                 )
             };
             let files = select_files(|effect| on(effect.name), device);

@@ -101,14 +101,17 @@ impl Results {
             .map(|(cells, reason)| format!("{cells:width$}  {reason}\n"))
             .collect();
         let buffers: Vec<String> = self.bindings.iter().map(described).collect();
-        let count = |names: &[&str]| format!("{} ({})", names.len(), names.join(" "));
+        let count = |names: &[&str]| {
+            let names: Vec<&str> = names.iter().map(|name| stem_of(name)).collect();
+            folded(&format!("{}: {}", names.len(), names.join(" ")))
+        };
         let part = 100.0 * self.shader_words as f64 / self.full_shader_words as f64;
         let mut facts = vec![
             ("scene", self.scene.clone()),
             ("made of", self.made_of()),
             ("files in", count(&self.files)),
             ("files out", count(&self.files_left_out)),
-            ("bindings", buffers.join(", ")),
+            ("bindings", folded(&buffers.join(", "))),
             (
                 "shader",
                 format!(
@@ -134,6 +137,32 @@ impl Results {
         };
         format!("{} x {}, {each}", self.width, self.height)
     }
+}
+
+/// A shader file's name without its ending.
+fn stem_of(name: &str) -> &str {
+    name.strip_suffix(".wgsl").unwrap_or(name)
+}
+
+/// Columns of the facts' text, and where it begins.
+const WIDTH: usize = 84;
+const INDENT: &str = "             ";
+
+/// A text in lines that are not too long.
+fn folded(text: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.len() - 1;
+        if !lines[last].is_empty() && lines[last].len() + 1 + word.len() > WIDTH {
+            lines.push(word.to_owned());
+            continue;
+        }
+        if !lines[last].is_empty() {
+            lines[last].push(' ');
+        }
+        lines[last].push_str(word);
+    }
+    lines.join(&format!("\n{INDENT}"))
 }
 
 fn head(is_measured: bool) -> Vec<String> {
