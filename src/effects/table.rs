@@ -158,4 +158,39 @@ pub const EFFECTS: &[Effect] = &[
         &[file!("anti_aliasing_on.wgsl")],
         &[file!("anti_aliasing_off.wgsl")],
     ),
+    Effect::new(
+        "mirrors",
+        Part::Path,
+        |counts| counts.mirrors > 0,
+        &[
+            file!("mirror.wgsl"),
+            file!("fresnel.wgsl"),
+            file!("mirrors_on.wgsl"),
+        ],
+        &[file!("mirrors_off.wgsl")],
+    ),
+    Effect::new(
+        "glossy reflection",
+        Part::Path,
+        |counts| counts.rough_mirrors > 0,
+        &[
+            file!("mirror.wgsl"),
+            file!("microfacets.wgsl"),
+            file!("glossy_on.wgsl"),
+        ],
+        &[file!("glossy_off.wgsl")],
+    ),
+    Effect::new(
+        "refraction",
+        Part::Path,
+        |counts| counts.clear_bodies > 0,
+        &[
+            file!("mirror.wgsl"),
+            file!("refract.wgsl"),
+            file!("fresnel.wgsl"),
+            file!("exponential.wgsl"),
+            file!("clear_bodies_on.wgsl"),
+        ],
+        &[file!("clear_bodies_off.wgsl")],
+    ),
 ];
