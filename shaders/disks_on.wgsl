@@ -37,3 +37,11 @@ fn disk_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     let reach = taxicab_length_f32(vec3<f32>(disk.center)) + f32(disk.radius);
     (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }
+
+// Whether the ray comes to the disk that it hit from behind.
+fn disk_is_left(ray: Ray, hit: Hit) -> bool {
+    if hit.id < tables.first_disk || hit.id >= tables.first_triangle {
+        return false;
+    }
+    return dot_product(disk_at(hit.row).normal, ray.direction) > 0.0;
+}

@@ -43,11 +43,12 @@ fn scatter_evenly(path: ptr<function, Path>, surface: Surface, look: Look) -> bo
     return send_on(path, surface, direction, divided_f32(look.albedo, look.evenly));
 }
 
-// Has a path that brings little end by lot; what goes on stands for those that do not.
+// Has a path that brings little end by lot; what goes on stands for those that do not. With
+// direct light alone, none ends so.
 //
 // Arvo, Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.
 fn survives(path: ptr<function, Path>) -> bool {
-    if (*path).leg < FIRST_LOT {
+    if sampling.bounces == 0u || (*path).leg < FIRST_LOT {
         return true;
     }
     let left = (*path).throughput;

@@ -30,3 +30,11 @@ fn plane_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     let reach = taxicab_length_f32(position);
     (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }
+
+// Whether the ray comes to the plane that it hit from behind.
+fn plane_is_left(ray: Ray, hit: Hit) -> bool {
+    if hit.id < tables.first_plane || hit.id >= tables.first_disk {
+        return false;
+    }
+    return dot_product(plane_at(hit.row).normal, ray.direction) > 0.0;
+}

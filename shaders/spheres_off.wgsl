@@ -6,3 +6,7 @@ fn test_spheres(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -> 
 
 fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
 }
+
+fn sphere_is_left(ray: Ray, hit: Hit) -> bool {
+    return false;
+}

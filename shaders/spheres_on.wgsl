@@ -47,3 +47,11 @@ fn sphere_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     }
     (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }
+
+// Whether the ray comes to the sphere that it hit from within.
+fn sphere_is_left(ray: Ray, hit: Hit) -> bool {
+    if hit.id >= tables.first_plane {
+        return false;
+    }
+    return dot_product(sphere_normal(ray, sphere_at(hit.row), hit.t), ray.direction) > 0.0;
+}

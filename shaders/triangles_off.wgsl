@@ -14,3 +14,7 @@ fn test_triangles(probe: Probe, begin: u32, end: u32, hit: ptr<function, Hit>) -
 
 fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
 }
+
+fn triangle_is_left(ray: Ray, hit: Hit) -> bool {
+    return false;
+}

@@ -53,3 +53,13 @@ fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
     let reach = greatest(greatest(a, b), c);
     (*surface).reach = reach + taxicab_length_f32(vec3<f32>(ray.origin));
 }
+
+// Whether the ray comes to the triangle that it hit from behind: from where its corners are
+// seen clockwise.
+fn triangle_is_left(ray: Ray, hit: Hit) -> bool {
+    if hit.id < tables.first_triangle {
+        return false;
+    }
+    let normal = triangle_normal(triangle_of(corners_at(hit.row)));
+    return dot_product(normal, ray.direction) > 0.0;
+}

@@ -51,6 +51,8 @@ pub struct Flat<R> {
     pub sampling: SamplingRecord,
     /// Samples of a pixel.
     pub samples: u32,
+    /// What rough mirrors would throw back that threw back all, by their finishes' rows.
+    pub energies: Vec<f32>,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -187,6 +189,9 @@ impl<R> Flat<R> {
             occlusion: self.sampling.occlusion > 0.0,
             bounces: self.sampling.bounces,
             samples: self.samples,
+            mirrors: self.finishes.iter().filter(|f| f.is_mirror()).count(),
+            rough_mirrors: self.finishes.iter().filter(|f| f.is_rough()).count(),
+            clear_bodies: self.finishes.iter().filter(|f| f.ior > 0.0).count(),
         }
     }
 
@@ -282,4 +287,11 @@ pub struct Counts {
     /// Samples of a pixel.
     #[serde(skip)]
     pub samples: u32,
+    /// Materials that mirror.
+    pub mirrors: usize,
+    /// Those of them that are rough.
+    #[serde(skip)]
+    pub rough_mirrors: usize,
+    /// Materials of clear bodies.
+    pub clear_bodies: usize,
 }

@@ -4,6 +4,7 @@
 //! a scene far from the origin loses nothing. A transform's translation meets
 //! the camera's position first, then the small coordinates.
 
+mod energies;
 mod finish;
 mod mesh;
 
@@ -12,6 +13,7 @@ use std::sync::OnceLock;
 
 use glam::{DMat3, DVec3};
 
+use self::energies::energies;
 use self::finish::{finish, sampling};
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
@@ -52,6 +54,7 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         finishes: scene.materials.iter().map(finish).collect(),
         sampling: sampling(scene),
         samples: scene.integrator.samples,
+        energies: Vec::new(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),
@@ -76,6 +79,7 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
             padding: 0.0,
         });
     }
+    flat.energies = energies(&mut flat.finishes);
     push_lights(&mut flat, &scene.lights, eye);
     let ids = push_shapes(&mut flat, scene);
     flat.parts = parts(scene, &ids);
@@ -215,7 +219,10 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, materials: &[Material]
         Geometry::Triangle { vertices } => {
             let first = flat.vertices.len() as u32;
             let id = flat.primitives();
-            let placed = vertices.map(|v| real_vector(place(v, transform, eye)));
+            let mut placed = vertices.map(|v| real_vector(place(v, transform, eye)));
+            if is_turned_inside_out(transform, &materials[shape.material]) {
+                placed.swap(0, 1);
+            }
             flat.vertices.extend(placed);
             flat.triangles.push(Corners {
                 vertices: [first, first + 1, first + 2],
@@ -319,6 +326,12 @@ fn turn(normal: DVec3, transform: &Transform) -> DVec3 {
         transform.linear.x_axis.cross(transform.linear.y_axis),
     );
     (cofactors * normal * transform.linear.determinant().signum()).normalize()
+}
+
+/// Whether a transform that mirrors makes the inside of a clear body its outside: triangles
+/// tell them apart by the order of their corners. Elsewhere the order counts for nothing.
+fn is_turned_inside_out(transform: &Transform, material: &Material) -> bool {
+    material.ior.is_some() && transform.linear.determinant() < 0.0
 }
 
 /// The factor by which a transform scales lengths; spheres and disks take only

@@ -149,6 +149,12 @@ pub(super) fn mirrors(scene: &Scene) -> Option<Cause> {
     material(scene, |material| material.mirror != [0.0; 3])
 }
 
+pub(super) fn glossy_reflection(scene: &Scene) -> Option<Cause> {
+    material(scene, |material| {
+        material.mirror != [0.0; 3] && material.roughness > 0.0
+    })
+}
+
 pub(super) fn refraction(scene: &Scene) -> Option<Cause> {
     material(scene, |material| material.ior.is_some())
 }

@@ -104,8 +104,6 @@ const PATHS_OF_LIGHT: &[Source] = &[
     file!("sky_off.wgsl"),
     file!("lamps_off.wgsl"),
     file!("textures_off.wgsl"),
-    file!("mirrors_off.wgsl"),
-    file!("clear_bodies_off.wgsl"),
     file!("fog_off.wgsl"),
 ];
 

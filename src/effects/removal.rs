@@ -65,6 +65,12 @@ pub(super) fn mirrors(scene: &mut Scene) {
     }
 }
 
+pub(super) fn glossy_reflection(scene: &mut Scene) {
+    for material in &mut scene.materials {
+        material.roughness = 0.0;
+    }
+}
+
 pub(super) fn refraction(scene: &mut Scene) {
     for material in &mut scene.materials {
         (material.ior, material.absorption) = (None, [0.0; 3]);

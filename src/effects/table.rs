@@ -179,4 +179,45 @@ pub const EFFECTS: &[Effect] = &[
     )
     .caused_by(cause::anti_aliasing)
     .removed_by(removal::anti_aliasing),
+    Effect::new(
+        "mirrors",
+        Part::Path,
+        |counts| counts.mirrors > 0,
+        &[
+            file!("mirror.wgsl"),
+            file!("fresnel.wgsl"),
+            file!("mirrors_on.wgsl"),
+        ],
+        &[file!("mirrors_off.wgsl")],
+    )
+    .caused_by(cause::mirrors)
+    .removed_by(removal::mirrors),
+    Effect::new(
+        "glossy reflection",
+        Part::Path,
+        |counts| counts.rough_mirrors > 0,
+        &[
+            file!("mirror.wgsl"),
+            file!("microfacets.wgsl"),
+            file!("glossy_on.wgsl"),
+        ],
+        &[file!("glossy_off.wgsl")],
+    )
+    .caused_by(cause::glossy_reflection)
+    .removed_by(removal::glossy_reflection),
+    Effect::new(
+        "refraction",
+        Part::Path,
+        |counts| counts.clear_bodies > 0,
+        &[
+            file!("mirror.wgsl"),
+            file!("refract.wgsl"),
+            file!("fresnel.wgsl"),
+            file!("exponential.wgsl"),
+            file!("clear_bodies_on.wgsl"),
+        ],
+        &[file!("clear_bodies_off.wgsl")],
+    )
+    .caused_by(cause::refraction)
+    .removed_by(removal::refraction),
 ];

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{place, real_vector, turn};
+use super::{is_turned_inside_out, place, real_vector, turn};
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::Corners;
@@ -19,7 +19,7 @@ pub(super) fn push_mesh<R: Real>(
     eye: DVec3,
 ) {
     let first = flat.vertices.len();
-    let id = flat.primitives();
+    let first_id = flat.primitives();
     let placed = |position: DVec3| real_vector(place(position, &shape.transform, eye));
     let is_smooth = !mesh.triangle_normals.is_empty();
     let is_textured = !mesh.triangle_uvs.is_empty() && has_texture(mesh, shape, materials);
@@ -47,8 +47,17 @@ pub(super) fn push_mesh<R: Real>(
         &mesh.triangles
     };
     let moved = triangles.iter().map(|t| t.map(|v| first as u32 + v));
-    let corners = |(vertices, id): ([u32; 3], u32)| Corners { vertices, id };
-    flat.triangles.extend(moved.zip(id..).map(corners));
+    let corners = |(mut vertices, id): ([u32; 3], u32)| {
+        let material = match mesh.triangle_materials.get((id - first_id) as usize) {
+            Some(own) => *own as usize,
+            None => shape.material,
+        };
+        if is_turned_inside_out(&shape.transform, &materials[material]) {
+            vertices.swap(0, 1);
+        }
+        Corners { vertices, id }
+    };
+    flat.triangles.extend(moved.zip(first_id..).map(corners));
     if mesh.triangle_materials.is_empty() {
         let materials = flat.material_indices.len() + mesh.triangles.len();
         flat.material_indices

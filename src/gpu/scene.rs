@@ -56,6 +56,7 @@ impl PackedScene {
         let quads = &mut self.quads;
         SamplingRecord {
             finishes: push_records(quads, &flat.finishes),
+            energies: push_words(quads, cast_slice(&flat.energies)),
             ..flat.sampling
         }
     }

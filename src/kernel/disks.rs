@@ -7,7 +7,7 @@ use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::{Vec3, face_viewer, taxicab_length};
+use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
 use super::{disk_bounded, disk_meeting};
 use crate::flat::Flat;
 use crate::tier::Formulas;
@@ -47,4 +47,13 @@ pub fn disk_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option
         facing,
         reach: reach + taxicab_length(ray.origin.to_f32()),
     })
+}
+
+/// Whether the ray comes to the disk that it hit from behind.
+pub fn disk_is_left<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> bool {
+    if hit.id < flat.first_disk() || hit.id >= flat.first_triangle() {
+        return false;
+    }
+    let normal = Vec3::from(flat.disks[hit.row as usize].normal);
+    dot_product(normal, ray.direction) > R::ZERO
 }

@@ -54,11 +54,12 @@ pub fn scatter_evenly<R: Real>(path: &mut Path<R>, surface: &Surface, look: &Loo
     send_on(path, surface, direction, divided(look.albedo, look.evenly))
 }
 
-/// Has a path that brings little end by lot; what goes on stands for those that do not.
+/// Has a path that brings little end by lot; what goes on stands for those that do not. With
+/// direct light alone, none ends so.
 ///
 /// Arvo, Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.
-pub fn survives<R: Real>(path: &mut Path<R>) -> bool {
-    if path.leg < FIRST_LOT {
+pub fn survives<R: Real>(flat: &Flat<R>, path: &mut Path<R>) -> bool {
+    if flat.sampling.bounces == 0 || path.leg < FIRST_LOT {
         return true;
     }
     let left = path.throughput;

@@ -217,7 +217,7 @@ pub fn follow<R: Real>(
         if leg == 0 {
             pixel = layers_of(flat, path.ray, hit);
         }
-        if !meet(flat, tracer, &mut path, hit) || !survives(&mut path) {
+        if !meet(flat, tracer, &mut path, hit) || !survives(flat, &mut path) {
             break;
         }
     }

@@ -5,7 +5,7 @@ use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::{Vec3, face_viewer, taxicab_length};
+use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
 use super::{plane_bounded, plane_meeting};
 use crate::flat::Flat;
 use crate::tier::Formulas;
@@ -39,4 +39,13 @@ pub fn plane_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Optio
         facing,
         reach: reach + taxicab_length(ray.origin.to_f32()),
     })
+}
+
+/// Whether the ray comes to the plane that it hit from behind.
+pub fn plane_is_left<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> bool {
+    if hit.id < flat.first_plane() || hit.id >= flat.first_disk() {
+        return false;
+    }
+    let normal = Vec3::from(flat.planes[hit.row as usize].normal);
+    dot_product(normal, ray.direction) > R::ZERO
 }

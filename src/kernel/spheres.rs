@@ -8,7 +8,7 @@ use super::hit::{Hit, Surface, count_test};
 use super::near_spheres::{sphere_power, starts_near};
 use super::probe::Probe;
 use super::real::Real;
-use super::vector::{Vec3, face_viewer, taxicab_length};
+use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
 use super::{sphere, sphere_bounded, sphere_meeting, sphere_textbook};
 use crate::flat::Flat;
 use crate::tier::Formulas;
@@ -68,4 +68,17 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
         facing,
         reach: reach + taxicab_length(ray.origin.to_f32()),
     })
+}
+
+/// Whether the ray comes to the sphere that it hit from within.
+pub fn sphere_is_left<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> bool {
+    if hit.id >= flat.first_plane() {
+        return false;
+    }
+    let sphere = &flat.spheres[hit.row as usize];
+    let normal = match R::FORMULAS {
+        Formulas::Textbook => sphere_textbook::sphere_normal(ray, sphere, hit.t),
+        _ => sphere::sphere_normal(ray, sphere, hit.t),
+    };
+    dot_product(normal, ray.direction) > R::ZERO
 }

@@ -9,7 +9,7 @@ use super::hit::{Hit, Meeting, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
-use super::vector::{Vec3, face_viewer, taxicab_length};
+use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
 use super::{triangle, triangle_bounded, triangle_meeting, triangle_textbook};
 use crate::flat::Flat;
 use crate::layout::{Corners, Triangle};
@@ -97,4 +97,18 @@ pub fn triangle_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Op
         facing: face_viewer(normal.to_f32(), direction),
         reach: reach + taxicab_length(ray.origin.to_f32()),
     })
+}
+
+/// Whether the ray comes to the triangle that it hit from behind: from where its corners are
+/// seen clockwise.
+pub fn triangle_is_left<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> bool {
+    if hit.id < flat.first_triangle() {
+        return false;
+    }
+    let triangle = triangle_of(flat, flat.triangles[hit.row as usize]);
+    let normal = match R::FORMULAS {
+        Formulas::Textbook => triangle_textbook::triangle_normal(&triangle),
+        _ => triangle::triangle_normal(&triangle),
+    };
+    dot_product(normal, ray.direction) > R::ZERO
 }

@@ -75,3 +75,15 @@ records! {
         faults: u32,
     }
 }
+
+impl FinishRecord {
+    /// Whether it mirrors.
+    pub fn is_mirror(&self) -> bool {
+        self.mirror != [0.0; 3]
+    }
+
+    /// Whether it mirrors, and is rough.
+    pub fn is_rough(&self) -> bool {
+        self.is_mirror() && self.width > 0.0
+    }
+}

@@ -106,6 +106,8 @@ pub fn call_for(name: &str, scene: &mut Scene) {
         ]),
         "mirrors" => {
             material.mirror = [0.6, 0.5, 0.4];
+        }
+        "glossy reflection" => {
             scene.materials[0].mirror = [0.2; 3];
             scene.materials[0].roughness = 0.3;
         }
