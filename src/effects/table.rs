@@ -133,7 +133,7 @@ pub const EFFECTS: &[Effect] = &[
     Effect::new(
         "emission",
         Part::Path,
-        |counts| counts.emissions > 0,
+        |counts| counts.emissions > 0 || counts.lamps > 0,
         &[file!("emission_on.wgsl")],
         &[file!("emission_off.wgsl")],
     ),
@@ -158,4 +158,24 @@ pub const EFFECTS: &[Effect] = &[
         &[file!("anti_aliasing_on.wgsl")],
         &[file!("anti_aliasing_off.wgsl")],
     ),
+    Effect::new(
+        "soft shadows",
+        Part::Path,
+        |counts| counts.lamps > 0,
+        &[file!("lamps_on.wgsl"), file!("blockers_on.wgsl")],
+        &[file!("lamps_off.wgsl"), file!("blockers_off.wgsl")],
+    )
+    .binding(&["lamps"]),
+    Effect::new(
+        "environment",
+        Part::Path,
+        |counts| counts.environments > 0,
+        &[
+            file!("sky_on.wgsl"),
+            file!("angles.wgsl"),
+            file!("blockers_on.wgsl"),
+        ],
+        &[file!("sky_off.wgsl"), file!("blockers_off.wgsl")],
+    )
+    .binding(&["environment"]),
 ];
