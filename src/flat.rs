@@ -3,7 +3,7 @@
 mod convert;
 
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use serde::Serialize;
 
@@ -12,8 +12,9 @@ use crate::flatten::camera_power;
 use crate::kernel::near_spheres::{FAR, is_near};
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, FinishRecord, LightRecord, MaterialRecord,
-    Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings, Volume,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, Environment, FinishRecord, LampRecord,
+    LightRecord, MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings,
+    Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -53,6 +54,12 @@ pub struct Flat<R> {
     pub samples: u32,
     /// What rough mirrors would throw back that threw back all, by their finishes' rows.
     pub energies: Vec<f32>,
+    /// The lamps that have a size.
+    pub lamps: Vec<LampRecord>,
+    /// What shines from all around.
+    pub environment: Environment,
+    /// Its tables.
+    pub sky: Arc<SkyTables>,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -89,6 +96,15 @@ pub struct Flat<R> {
     pub tile_masks: OnceLock<Vec<u32>>,
     /// The bounding volume hierarchy, the root first; empty where there is none.
     pub pairs: Vec<Pair>,
+}
+
+/// The tables of an environment; without rows where there is none.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SkyTables {
+    /// The radiances of an image, row by row from the top; the fourth number is unused.
+    pub texels: Vec<[f32; 4]>,
+    /// By which directions are drawn, see [`crate::kernel::sky`].
+    pub sums: Vec<f32>,
 }
 
 /// A group or a mesh of the scene.
@@ -192,6 +208,8 @@ impl<R> Flat<R> {
             mirrors: self.finishes.iter().filter(|f| f.is_mirror()).count(),
             rough_mirrors: self.finishes.iter().filter(|f| f.is_rough()).count(),
             clear_bodies: self.finishes.iter().filter(|f| f.ior > 0.0).count(),
+            lamps: self.lamps.len(),
+            environments: self.environment.count,
         }
     }
 
@@ -230,7 +248,10 @@ impl<R> Flat<R> {
             + size_of_val(self.boxes.as_slice())
             + size_of_val(self.materials.as_slice())
             + words(self.material_indices.len())
-            + size_of_val(self.lights.as_slice());
+            + size_of_val(self.lights.as_slice())
+            + size_of_val(self.lamps.as_slice())
+            + size_of_val(self.sky.texels.as_slice())
+            + words(self.sky.sums.len());
         bytes as u64
     }
 
@@ -294,4 +315,9 @@ pub struct Counts {
     pub rough_mirrors: usize,
     /// Materials of clear bodies.
     pub clear_bodies: usize,
+    /// Lamps that have a size.
+    pub lamps: usize,
+    /// Environments that shine: one or none.
+    #[serde(skip)]
+    pub environments: u32,
 }

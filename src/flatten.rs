@@ -6,21 +6,25 @@
 
 mod energies;
 mod finish;
+mod lamps;
 mod mesh;
+mod sky;
 
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DMat3, DVec3};
 
 use self::energies::energies;
 use self::finish::{finish, sampling};
+use self::lamps::{push_forms, push_lamps};
+use self::sky::flatten_sky;
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, SHADOW,
-    Sphere, Surroundings, WEAKENS,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, Environment, LightRecord, MaterialRecord,
+    Plane, SHADOW, Sphere, Surroundings, WEAKENS,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, GroupBound, Light, Material, PixelSampling, Scene, Shape, Transform,
@@ -30,12 +34,18 @@ use crate::scene::{
 /// near: what f32 computes of it then lacks two bits and more.
 const NEAR: f64 = 0.25;
 
+/// The kinds in the order of the ids.
+const SPHERES: u32 = 0;
+const PLANES: u32 = 1;
+const DISKS: u32 = 2;
+const TRIANGLES: u32 = 3;
+
 /// Flattens a valid scene (see [`Scene::validate`]).
 pub fn flatten<R: Real>(scene: &Scene) -> Flat<R> {
     flatten_with_ids(scene).0
 }
 
-/// Flattens a valid scene, and gives the ids of each shape.
+/// Flattens a valid scene, and gives the ids of each shape, then of each lamp that has a size.
 pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
     let eye = scene.camera.eye;
     let mut flat = Flat {
@@ -55,6 +65,9 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         sampling: sampling(scene),
         samples: scene.integrator.samples,
         energies: Vec::new(),
+        lamps: Vec::new(),
+        environment: Environment::default(),
+        sky: Arc::default(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),
@@ -81,6 +94,10 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
     }
     flat.energies = energies(&mut flat.finishes);
     push_lights(&mut flat, &scene.lights, eye);
+    push_lamps(&mut flat, &scene.lights, eye);
+    if let Some(environment) = &scene.environment {
+        (flat.environment, flat.sky) = flatten_sky(environment);
+    }
     let ids = push_shapes(&mut flat, scene);
     flat.parts = parts(scene, &ids);
     (flat, ids)
@@ -149,17 +166,20 @@ fn light_flags(weakens: bool, throws_shadows: bool) -> u32 {
 }
 
 /// The primitives kind by kind, so that ids run through each kind in the order
-/// of the scene. Gives the ids of each shape.
+/// of the scene, lamps behind shapes. Gives the ids of each shape, then of each lamp.
 fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) -> Vec<Range<u32>> {
-    let mut ids = vec![0..0; scene.shapes.len()];
-    for kind in 0..4 {
-        for (shape, ids) in scene.shapes.iter().zip(&mut ids) {
+    let mut ids = vec![0..0; scene.shapes.len() + flat.lamps.len()];
+    let (of_shapes, of_lamps) = ids.split_at_mut(scene.shapes.len());
+    let (eye, lamp_material) = (scene.camera.eye, scene.materials.len());
+    for kind in [SPHERES, PLANES, DISKS, TRIANGLES] {
+        for (shape, ids) in scene.shapes.iter().zip(&mut *of_shapes) {
             if kind_rank(&shape.geometry) == kind {
                 let first = flat.primitives();
-                push_shape(flat, shape, &scene.materials, scene.camera.eye);
+                push_shape(flat, shape, &scene.materials, eye);
                 *ids = first..flat.primitives();
             }
         }
+        push_forms(flat, &scene.lights, eye, kind, lamp_material, of_lamps);
     }
     if !flat.vertex_normals.is_empty() {
         flat.vertex_normals.resize(flat.vertices.len(), [0.0; 3]);
@@ -173,10 +193,10 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) -> Vec<Range<u32>> {
 /// The place of a kind in the order of the ids.
 fn kind_rank(geometry: &Geometry) -> u32 {
     match geometry {
-        Geometry::Sphere { .. } => 0,
-        Geometry::Plane { .. } => 1,
-        Geometry::Disk { .. } => 2,
-        Geometry::Triangle { .. } | Geometry::Mesh(_) => 3,
+        Geometry::Sphere { .. } => SPHERES,
+        Geometry::Plane { .. } => PLANES,
+        Geometry::Disk { .. } => DISKS,
+        Geometry::Triangle { .. } | Geometry::Mesh(_) => TRIANGLES,
     }
 }
 

@@ -101,8 +101,6 @@ const PATHS_OF_LIGHT: &[Source] = &[
     file!("cutouts_off.wgsl"),
     file!("lens_off.wgsl"),
     file!("motion_off.wgsl"),
-    file!("sky_off.wgsl"),
-    file!("lamps_off.wgsl"),
     file!("textures_off.wgsl"),
     file!("fog_off.wgsl"),
 ];

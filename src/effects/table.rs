@@ -146,7 +146,7 @@ pub const EFFECTS: &[Effect] = &[
     Effect::new(
         "emission",
         Part::Path,
-        |counts| counts.emissions > 0,
+        |counts| counts.emissions > 0 || counts.lamps > 0,
         &[file!("emission_on.wgsl")],
         &[file!("emission_off.wgsl")],
     )
@@ -220,4 +220,28 @@ pub const EFFECTS: &[Effect] = &[
     )
     .caused_by(cause::refraction)
     .removed_by(removal::refraction),
+    Effect::new(
+        "soft shadows",
+        Part::Path,
+        |counts| counts.lamps > 0,
+        &[file!("lamps_on.wgsl"), file!("blockers_on.wgsl")],
+        &[file!("lamps_off.wgsl"), file!("blockers_off.wgsl")],
+    )
+    .binding(&["lamps"])
+    .caused_by(cause::soft_shadows)
+    .removed_by(removal::soft_shadows),
+    Effect::new(
+        "environment",
+        Part::Path,
+        |counts| counts.environments > 0,
+        &[
+            file!("sky_on.wgsl"),
+            file!("angles.wgsl"),
+            file!("blockers_on.wgsl"),
+        ],
+        &[file!("sky_off.wgsl"), file!("blockers_off.wgsl")],
+    )
+    .binding(&["environment"])
+    .caused_by(cause::environment)
+    .removed_by(removal::environment),
 ];

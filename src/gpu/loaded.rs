@@ -7,7 +7,7 @@ use super::kernel::Kernel;
 use super::memory::{SceneMemory, best_fetch};
 use super::portions::Portions;
 use super::program::Source;
-use super::scene::PackedScene;
+use super::scene::{LightTables, PackedScene};
 use crate::effects::{Device, Effect, Entry, Fetch, select_files};
 use crate::error::Result;
 use crate::flat::Flat;
@@ -21,6 +21,8 @@ pub(super) struct Loaded {
     pub(super) tables: Tables,
     /// How paths of light are sampled, and where their tables begin.
     pub(super) sampling: SamplingRecord,
+    /// Where the tables of lights lie that are no points.
+    pub(super) lights: LightTables,
     /// Where the scene lies.
     pub(super) fetch: Fetch,
     memory: SceneMemory,
@@ -43,8 +45,10 @@ impl Loaded {
     ) -> Result<Self> {
         let mut scene = PackedScene::of(flat, portions.forced);
         let mut sampling = flat.sampling;
+        let mut lights = LightTables::default();
         if entry == Entry::Samples {
             sampling = scene.add_path_tables(flat);
+            lights = scene.add_light_tables(flat);
         }
         let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
         let device = Device {
@@ -65,6 +69,7 @@ impl Loaded {
             memory: SceneMemory::upload(gpu, &scene, fetch)?,
             tables: scene.tables,
             sampling,
+            lights,
             fetch,
         })
     }

@@ -63,11 +63,18 @@ impl<'a, R: Real> Sampled<'a, R> {
         let tallies = Shown::new(gpu, "tallies", count * size_of::<Tally>() as u64)?;
         let mut frame = uniforms(gpu, flat, &loaded.tables)?;
         let sampling = bytemuck::bytes_of(&loaded.sampling);
+        let lamps = bytemuck::bytes_of(&loaded.lights.lamps);
+        let environment = bytemuck::bytes_of(&loaded.lights.environment);
         frame.extend([
             ("dispatch", dispatch.clone()),
             ("pixels", pixels.buffer.clone()),
             ("tallies", tallies.buffer.clone()),
             ("sampling", gpu.upload_uniform("sampling", sampling)?),
+            ("lamps", gpu.upload_uniform("lamps", lamps)?),
+            (
+                "environment",
+                gpu.upload_uniform("environment", environment)?,
+            ),
         ]);
         let groups = loaded.bind(gpu, &frame)?;
         Ok(Self {
@@ -102,7 +109,7 @@ impl<'a, R: Real> Sampled<'a, R> {
 /// Whether a dispatch can test all that a path may meet where there is no tree.
 fn check_tests<R>(flat: &Flat<R>, portions: Portions) -> Result<()> {
     let legs = 1 + flat.sampling.bounces + flat.sampling.reflections;
-    let rays = u64::from(legs) * (flat.lights.len() as u64 + 3);
+    let rays = u64::from(legs) * ((flat.lights.len() + flat.lamps.len()) as u64 + 3);
     let tests = u64::from(flat.primitives()) + flat.volumes.len() as u64;
     if flat.pairs.is_empty() && tests * rays > u64::from(portions.primitives_per_dispatch) {
         return Err(Error::Limit(format!(

@@ -5,7 +5,7 @@ use bytemuck::{Pod, cast_slice};
 use crate::effects::EffectSet;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{QUAD, SamplingRecord, Tables};
+use crate::layout::{Environment, LampTable, QUAD, SamplingRecord, Tables};
 use crate::tier::parts_of;
 
 /// Four words.
@@ -15,6 +15,13 @@ pub(super) type Quad = [u32; QUAD];
 pub(super) struct PackedScene {
     pub(super) quads: Vec<Quad>,
     pub(super) tables: Tables,
+}
+
+/// Where the tables of lights lie that are no points.
+#[derive(Clone, Copy, Default)]
+pub(super) struct LightTables {
+    pub(super) lamps: LampTable,
+    pub(super) environment: Environment,
 }
 
 impl PackedScene {
@@ -58,6 +65,24 @@ impl PackedScene {
             finishes: push_records(quads, &flat.finishes),
             energies: push_words(quads, cast_slice(&flat.energies)),
             ..flat.sampling
+        }
+    }
+
+    /// Packs what only paths of light read of lamps that have a size and of the environment,
+    /// and tells where it lies.
+    pub(super) fn add_light_tables<R: Real>(&mut self, flat: &Flat<R>) -> LightTables {
+        let quads = &mut self.quads;
+        LightTables {
+            lamps: LampTable {
+                start: push_records(quads, &flat.lamps),
+                count: flat.lamps.len() as u32,
+                ..LampTable::default()
+            },
+            environment: Environment {
+                texels: push_records(quads, &flat.sky.texels),
+                sums: push_words(quads, cast_slice(&flat.sky.sums)),
+                ..flat.environment
+            },
         }
     }
 

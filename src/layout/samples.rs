@@ -13,6 +13,15 @@ pub const ONLY_LIGHTS: u32 = 1;
 /// The number of a [`crate::scene::Strategy`] that lets paths find the lamps.
 pub const ONLY_SURFACES: u32 = 2;
 
+/// The form of a [`LampRecord`] that is a sphere.
+pub const SPHERE_LAMP: u32 = 0;
+
+/// The form of a [`LampRecord`] that is a disk.
+pub const DISK_LAMP: u32 = 1;
+
+/// The form of a [`LampRecord`] that is a parallelogram.
+pub const RECTANGLE_LAMP: u32 = 2;
+
 records! {
     /// How a picture is sampled, and where tables begin that only its samples read, in quads.
     SamplingRecord {
@@ -65,6 +74,67 @@ records! {
         energies: u32,
         /// Unused.
         padding: u32,
+    }
+
+    /// A lamp that has a size.
+    LampRecord {
+        /// The middle, camera-relative.
+        center: [f32; 3],
+        /// [`SPHERE_LAMP`], [`DISK_LAMP`] or [`RECTANGLE_LAMP`].
+        form: u32,
+        /// From the middle of a disk or rectangle to its edge.
+        right: [f32; 3],
+        /// How far it reaches from the camera, by taxicab lengths.
+        reach: f32,
+        /// The same at a right angle, or to the other edge.
+        up: [f32; 3],
+        /// Of a sphere.
+        radius: f32,
+        /// The side of a disk or rectangle that shines; unit length.
+        normal: [f32; 3],
+        /// Of a disk or rectangle.
+        area: f32,
+        /// What its front looks like: radiance.
+        radiance: [f32; 3],
+        /// Unused.
+        padding: f32,
+    }
+
+    /// Where the lamps that have a size are.
+    LampTable {
+        /// Where the table begins, five quads a lamp.
+        start: u32,
+        /// How many there are.
+        count: u32,
+        /// Unused.
+        padding: [u32; 2],
+    }
+
+    /// An environment that shines.
+    Environment {
+        /// Of a ramp, the radiance at weight 0.
+        start: [f32; 3],
+        /// The weight at the horizon.
+        offset: f32,
+        /// The radiance at weight 1.
+        end: [f32; 3],
+        /// Change of the weight from the horizon to the zenith.
+        slope: f32,
+        /// By how many turns the left edge of an image comes before the direction x, on the
+        /// way towards z: from 0 up to but not 1.
+        turn: f32,
+        /// Texels of an image from left to right; 0 for a ramp.
+        width: u32,
+        /// Texels from top to bottom.
+        height: u32,
+        /// Where the table of texels begins, one quad each.
+        texels: u32,
+        /// Where the sums begin by which directions are drawn, four to a quad.
+        sums: u32,
+        /// 1 where there is an environment, else 0.
+        count: u32,
+        /// Unused.
+        padding: [u32; 2],
     }
 
     /// What is kept of a pixel's samples besides their sum.

@@ -23,12 +23,16 @@ pub struct CandidateFacts {
     /// Its kind.
     pub kind: ShapeKind,
     /// The number of the shape in the scene, meshes included, counted from 0 in the order
-    /// of the scene.
-    pub shape: usize,
+    /// of the scene; none if it is a lamp.
+    pub shape: Option<usize>,
+    /// The number of the lamp among those that have a size, counted from 0; none if it is a
+    /// shape.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lamp: Option<usize>,
     /// The number of the triangle in its mesh, counted from 0.
     pub triangle: Option<u32>,
-    /// The name of its material.
-    pub material: String,
+    /// The name of its material; none if it is a lamp.
+    pub material: Option<String>,
     /// Where the ray meets it, exactly; none if it misses it.
     pub t: Option<f64>,
     /// By how many roundings of f32 the ray is from missing it, if it meets it; from meeting
@@ -72,7 +76,8 @@ const ONE_PASS: [Accuracy; 4] = [
     Accuracy::Double,
 ];
 
-/// All candidates, the nearest first. `ids` are those of each shape of the scene.
+/// All candidates, the nearest first. `ids` are those of each shape of the scene, then of each
+/// lamp.
 pub(super) fn candidates(
     scene: &Scene,
     ids: &[Range<u32>],
@@ -100,8 +105,9 @@ fn earliest(facts: &CandidateFacts) -> f64 {
 fn candidate(scene: &Scene, ids: &[Range<u32>], story: &Story<'_>, id: u32) -> CandidateFacts {
     let flat = &story.widths.double;
     let (kind, row) = place_of(flat, id);
-    let shape = ids.iter().position(|ids| ids.contains(&id)).unwrap_or(0);
-    let is_mesh = matches!(scene.shapes[shape].geometry, Geometry::Mesh(_));
+    let place = ids.iter().position(|ids| ids.contains(&id)).unwrap_or(0);
+    let shape = scene.shapes.get(place);
+    let is_mesh = shape.is_some_and(|shape| matches!(shape.geometry, Geometry::Mesh(_)));
     let material = flat.material_indices[id as usize] as usize;
     let nearness = Oracle::new(flat).shape(kind, row).1.nearness(story.ray);
     let exact = story.exact.met.get(&id);
@@ -120,9 +126,13 @@ fn candidate(scene: &Scene, ids: &[Range<u32>], story: &Story<'_>, id: u32) -> C
     CandidateFacts {
         id,
         kind,
-        shape,
-        triangle: is_mesh.then(|| id - ids[shape].start),
-        material: scene.materials[material].name.clone(),
+        shape: shape.map(|_| place),
+        lamp: place.checked_sub(scene.shapes.len()),
+        triangle: is_mesh.then(|| id - ids[place].start),
+        material: scene
+            .materials
+            .get(material)
+            .map(|found| found.name.clone()),
         t: exact.map(|exact| exact.t),
         margin: finite(nearness.slack * ROUNDINGS),
         meetings: ONE_PASS.into_iter().map(meeting).collect(),

@@ -79,7 +79,7 @@ fn all_that_is_met_stands_in_its_order() {
         let met: Vec<_> = why
             .candidates
             .iter()
-            .map(|c| (c.id, c.kind, c.shape, c.t))
+            .map(|c| (c.id, c.kind, c.shape.unwrap(), c.t))
             .collect();
         let expected = [
             (0, ShapeKind::Sphere, 3, Some(3.0)),
@@ -94,7 +94,7 @@ fn all_that_is_met_stands_in_its_order() {
             assert_eq!((tier.id, tier.verdict), (Some(0), Verdict::Right));
         }
         for candidate in &why.candidates {
-            assert_eq!(candidate.material, "clay");
+            assert_eq!(candidate.material.as_deref(), Some("clay"));
             for meeting in &candidate.meetings {
                 assert_eq!(meeting.t, candidate.t);
                 assert_eq!(meeting.error, Some(0.0));

@@ -153,13 +153,14 @@ fn shape(facts: &CandidateFacts) -> String {
     let part = facts
         .triangle
         .map_or(String::new(), |n| format!("triangle {n} of "));
-    let mut text = format!(
-        "\n{} {} ({part}shape {}, {})",
-        kind_name(facts.kind),
-        facts.id,
-        facts.shape,
-        facts.material
-    );
+    let mut what = match (facts.shape, facts.lamp) {
+        (Some(shape), _) => format!("{part}shape {shape}"),
+        (None, lamp) => lamp.map_or("lamp".into(), |lamp| format!("lamp {lamp}")),
+    };
+    if let Some(material) = &facts.material {
+        what += &format!(", {material}");
+    }
+    let mut text = format!("\n{} {} ({what})", kind_name(facts.kind), facts.id);
     if let Some(margin) = facts.margin {
         let size = short(margin.abs());
         text += &match facts.t {

@@ -1,0 +1,4 @@
+//! Light by many samples, effect by effect.
+
+mod lamps;
+mod scenes;
