@@ -12,7 +12,7 @@ use crate::effects::{Device, Entry, Fetch, shader_files};
 use crate::error::Result;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{SamplingRecord, Tables};
+use crate::layout::{MotionRecord, SamplingRecord, Tables};
 
 /// A scene, uploaded, and its shader, compiled.
 pub(super) struct Loaded {
@@ -21,6 +21,8 @@ pub(super) struct Loaded {
     pub(super) tables: Tables,
     /// How paths of light are sampled, and where their tables begin.
     pub(super) sampling: SamplingRecord,
+    /// How far things go while the shutter is open.
+    pub(super) motion: MotionRecord,
     /// Where the scene lies.
     pub(super) fetch: Fetch,
     memory: SceneMemory,
@@ -43,8 +45,10 @@ impl Loaded {
     ) -> Result<Self> {
         let mut scene = PackedScene::of(flat);
         let mut sampling = flat.sampling;
+        let mut motion = MotionRecord::default();
         if entry == Entry::Samples {
             sampling = scene.add_path_tables(flat);
+            motion = scene.add_motion_tables(flat);
         }
         let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
         let device = Device {
@@ -63,6 +67,7 @@ impl Loaded {
             memory: SceneMemory::upload(gpu, &scene, fetch)?,
             tables: scene.tables,
             sampling,
+            motion,
             fetch,
         })
     }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use bytemuck::bytes_of;
 use wgpu::BufferUsages;
 
 use super::device::Gpu;
@@ -62,12 +63,17 @@ impl<'a, R: Real> Sampled<'a, R> {
         let pixels = Shown::new(gpu, "pixels", count * bytes_of_pixel)?;
         let tallies = Shown::new(gpu, "tallies", count * size_of::<Tally>() as u64)?;
         let mut frame = uniforms(gpu, flat, &loaded.tables)?;
-        let sampling = bytemuck::bytes_of(&loaded.sampling);
+        let sampling = bytes_of(&loaded.sampling);
         frame.extend([
             ("dispatch", dispatch.clone()),
             ("pixels", pixels.buffer.clone()),
             ("tallies", tallies.buffer.clone()),
             ("sampling", gpu.upload_uniform("sampling", sampling)?),
+            ("lens", gpu.upload_uniform("lens", bytes_of(&flat.lens))?),
+            (
+                "motion",
+                gpu.upload_uniform("motion", bytes_of(&loaded.motion))?,
+            ),
         ]);
         let groups = loaded.bind(gpu, &frame)?;
         Ok(Self {
