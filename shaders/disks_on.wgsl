@@ -1,11 +1,5 @@
 // All disks: which one is nearest, and what is found there.
 
-// The disk in a row of the table.
-fn disk_at(row: u32) -> Disk {
-    let first = reals_at(tables.disks, 2u * row);
-    return Disk(first.xyz, first.w, reals_at(tables.disks, 2u * row + 1u).xyz);
-}
-
 // Tests the disk in a row of the table.
 fn test_disk(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let meeting = meet_disk(probe, disk_at(row));

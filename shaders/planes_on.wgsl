@@ -1,11 +1,5 @@
 // All planes: which one is nearest, and what is found there.
 
-// The plane in a row of the table.
-fn plane_at(row: u32) -> Plane {
-    let point = reals_at(tables.planes, 2u * row).xyz;
-    return Plane(point, reals_at(tables.planes, 2u * row + 1u).xyz);
-}
-
 // Tests every plane of the dispatch.
 fn closest_plane(probe: Probe, hit: ptr<function, Hit>) {
     let end = hidden_end(dispatch.planes.end, probe.slabs.inverse.x);

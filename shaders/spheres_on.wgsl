@@ -4,12 +4,6 @@
 // parts of the way to the point, and only the squares of roundings of the radius.
 const NEAR_REACH: f32 = 1.0 / 1048576.0;
 
-// The sphere in a row of the table.
-fn sphere_at(row: u32) -> Sphere {
-    let quad = reals_at(tables.spheres, 2u * row);
-    return Sphere(quad.xyz, quad.w, reals_at(tables.spheres, 2u * row + 1u).x);
-}
-
 // Tests the sphere in a row of the table.
 fn test_sphere(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let meeting = meet_sphere(probe, sphere_at(row));

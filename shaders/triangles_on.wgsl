@@ -5,19 +5,10 @@ fn corners_at(row: u32) -> vec4<u32> {
     return fetch(tables.triangles + row);
 }
 
-// The triangle with these corners.
-fn triangle_of(corners: vec4<u32>) -> Triangle {
-    return Triangle(
-        reals_at(tables.vertices, corners.x).xyz,
-        reals_at(tables.vertices, corners.y).xyz,
-        reals_at(tables.vertices, corners.z).xyz,
-    );
-}
-
 // Tests the triangle in a row of the table.
 fn test_triangle(probe: Probe, row: u32, hit: ptr<function, Hit>) {
     let corners = corners_at(row);
-    let meeting = meet_triangle(probe, triangle_of(corners));
+    let meeting = meet_triangle(probe, triangle_at(corners));
     count_test(hit);
     if may_be_closest(*hit, meeting) {
         keep_nearer(hit, meeting, corners.w, row);
@@ -40,7 +31,7 @@ fn triangle_surface(ray: Ray, hit: Hit, surface: ptr<function, Surface>) {
         return;
     }
     let corners = corners_at(hit.row);
-    let triangle = triangle_of(corners);
+    let triangle = triangle_at(corners);
     let weights = triangle_weights(ray, triangle);
     (*surface).position = vec3<f32>(triangle_point(triangle, weights));
     let normal = vec3<f32>(triangle_normal(triangle));

@@ -13,8 +13,8 @@ use crate::kernel::near_spheres::{FAR, is_near};
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
     BallRecord, BoxRecord, CameraRecord, Corners, Disk, Environment, FinishRecord, LampRecord,
-    LightRecord, MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings,
-    Volume,
+    LensRecord, LightRecord, MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere,
+    Surroundings, Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -60,6 +60,15 @@ pub struct Flat<R> {
     pub environment: Environment,
     /// Its tables.
     pub sky: Arc<SkyTables>,
+    /// The camera's lens.
+    pub lens: LensRecord,
+    /// How far the camera goes while the shutter is open.
+    pub camera_velocity: [f32; 3],
+    /// How far shapes go while the shutter is open.
+    pub velocities: Vec<[f32; 3]>,
+    /// By the id of a primitive, one more than the row of its velocity, or 0 where it stands
+    /// still; empty where all do.
+    pub velocity_rows: Vec<u32>,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -171,6 +180,19 @@ impl<R> Flat<R> {
         }
     }
 
+    /// Whether a shape moves while the shutter is open.
+    #[inline]
+    pub fn has_moving_shapes(&self) -> bool {
+        !self.velocities.is_empty()
+    }
+
+    /// How far a primitive goes while the shutter is open; none where it stands still.
+    #[inline]
+    pub fn velocity_of(&self, id: u32) -> Option<[f32; 3]> {
+        let row = *self.velocity_rows.get(id as usize)?;
+        self.velocities.get(row.checked_sub(1)? as usize).copied()
+    }
+
     /// How many there are of each kind of thing.
     pub fn counts(&self) -> Counts
     where
@@ -210,6 +232,8 @@ impl<R> Flat<R> {
             clear_bodies: self.finishes.iter().filter(|f| f.ior > 0.0).count(),
             lamps: self.lamps.len(),
             environments: self.environment.count,
+            lens: self.lens.radius > 0.0,
+            moving: self.velocities.len() + usize::from(self.camera_velocity != [0.0; 3]),
         }
     }
 
@@ -218,7 +242,11 @@ impl<R> Flat<R> {
     where
         R: Real,
     {
-        for sphere in &mut self.spheres {
+        for (sphere, &id) in self.spheres.iter_mut().zip(&self.sphere_ids) {
+            if self.velocity_rows.get(id as usize) > Some(&0) {
+                // Its power is another at each time.
+                continue;
+            }
             let center = sphere.center.map(R::to_f64);
             let power = camera_power(center, sphere.radius.to_f64());
             sphere.power = power.map_or(constant(FAR), R::from_f64);
@@ -320,4 +348,10 @@ pub struct Counts {
     /// Environments that shine: one or none.
     #[serde(skip)]
     pub environments: u32,
+    /// Whether the camera has a lens, not a pinhole.
+    #[serde(skip)]
+    pub lens: bool,
+    /// Shapes, and the camera, that move while the shutter is open.
+    #[serde(skip)]
+    pub moving: usize,
 }

@@ -8,6 +8,7 @@ mod energies;
 mod finish;
 mod lamps;
 mod mesh;
+mod shutter;
 mod sky;
 
 use std::ops::Range;
@@ -18,6 +19,7 @@ use glam::{DMat3, DVec3};
 use self::energies::energies;
 use self::finish::{finish, sampling};
 use self::lamps::{push_forms, push_lamps};
+use self::shutter::{lens, push_velocity, velocity_of};
 use self::sky::flatten_sky;
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
@@ -68,6 +70,10 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         lamps: Vec::new(),
         environment: Environment::default(),
         sky: Arc::default(),
+        lens: lens(&scene.camera),
+        camera_velocity: scene.camera.velocity.as_vec3().to_array(),
+        velocities: Vec::new(),
+        velocity_rows: Vec::new(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),
@@ -103,12 +109,17 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
     (flat, ids)
 }
 
+/// Rightward, upward and forward, of unit length.
+fn camera_axes(camera: &Camera) -> [DVec3; 3] {
+    let forward = (camera.target - camera.eye).normalize();
+    let right = forward.cross(camera.up).normalize();
+    [right, right.cross(forward), forward]
+}
+
 /// The camera's axes, scaled so that they reach the picture's edges at distance
 /// 1 from the eye.
 fn camera_record<R: Real>(camera: &Camera, width: u32, height: u32) -> CameraRecord<R> {
-    let forward = (camera.target - camera.eye).normalize();
-    let right = forward.cross(camera.up).normalize();
-    let up = right.cross(forward);
+    let [right, up, forward] = camera_axes(camera);
     let half_height = (camera.fov_degrees.to_radians() / 2.0).tan();
     let half_width = half_height * f64::from(width) / f64::from(height);
     let (offset_x, offset_y) = match camera.sampling {
@@ -177,9 +188,13 @@ fn push_shapes<R: Real>(flat: &mut Flat<R>, scene: &Scene) -> Vec<Range<u32>> {
                 let first = flat.primitives();
                 push_shape(flat, shape, &scene.materials, eye);
                 *ids = first..flat.primitives();
+                push_velocity(flat, shape, ids.clone());
             }
         }
         push_forms(flat, &scene.lights, eye, kind, lamp_material, of_lamps);
+    }
+    if flat.has_moving_shapes() {
+        flat.velocity_rows.resize(flat.material_indices.len(), 0);
     }
     if !flat.vertex_normals.is_empty() {
         flat.vertex_normals.resize(flat.vertices.len(), [0.0; 3]);
@@ -206,10 +221,15 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, materials: &[Material]
         Geometry::Sphere { center, radius } => {
             flat.sphere_ids.push(flat.primitives());
             let (center, radius) = placed_sphere(transform, *center, *radius, eye);
+            // A sphere that moves has another power at each time.
+            let power = match velocity_of(shape) {
+                None => camera_power(center.to_array(), radius),
+                Some(_) => None,
+            };
             flat.spheres.push(Sphere {
                 center: real_vector(center),
                 radius: R::from_f64(radius),
-                power: camera_power(center.to_array(), radius).map_or(constant(FAR), R::from_f64),
+                power: power.map_or(constant(FAR), R::from_f64),
                 padding: [R::ZERO; 3],
             });
         }

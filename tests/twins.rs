@@ -7,7 +7,7 @@ use std::path::Path;
 use rayproof::effects::{EFFECTS, Entry};
 
 /// Functions that only one side needs, and why.
-const WITHOUT_TWIN: [(&str, &str); 16] = [
+const WITHOUT_TWIN: [(&str, &str); 17] = [
     // WGSL has the constructor built in.
     ("vector", "vec3"),
     // The CPU traces a pixel in one call, the GPU a tile in one dispatch or more.
@@ -35,6 +35,8 @@ const WITHOUT_TWIN: [(&str, &str); 16] = [
     ("triangle_textbook", "shear_of"),
     // In the shader the files of the formulas decide.
     ("triangles", "meet_triangle"),
+    // Where nothing moves; a shader's triangles are read where the time is known.
+    ("triangles", "triangle_of"),
 ];
 
 /// A kernel file without a shader: what finds hits is one function each in the shaders.

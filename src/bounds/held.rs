@@ -4,10 +4,13 @@ use glam::DVec3;
 
 use super::ball::{Ball, bounding_ball};
 use super::primitive_boxes;
+use super::swept::ENDS;
 use crate::flat::Flat;
 use crate::kernel::aabb::Aabb;
+use crate::kernel::disk_rows::disk_at;
 use crate::kernel::real::Real;
-use crate::kernel::triangles::triangle_of;
+use crate::kernel::sphere_rows::sphere_at;
+use crate::kernel::triangle_rows::triangle_at;
 use crate::layout::{BallRecord, BoxRecord};
 
 /// A ball's padding in parts of its reach, the distance of its farthest point from the
@@ -16,35 +19,40 @@ use crate::layout::{BallRecord, BoxRecord};
 /// rounded centre and radius. `docs/numerics.md` derives it.
 const PADDING: f64 = 64.0 / 16_777_216.0;
 
+/// The same where shapes move: a place on the way is off the straight line by a rounding of the
+/// way, at most the ball's radius, and one of the sum, in each coordinate; so are both ends.
+/// By the inequality of the triangle that is 2 u of the reach for each of these.
+const MOVING_PADDING: f64 = PADDING + 4.0 / 16_777_216.0;
+
 /// What volumes must hold of each primitive.
 pub(super) struct Held {
-    /// By id: the corners of a triangle, a sphere or a disk as a ball three times.
+    /// By id: the corners of a triangle, a sphere or a disk as a ball three times. Where shapes
+    /// move, they stand there as the shutter opens.
     balls: Vec<[Ball; 3]>,
+    /// The same as it closes; empty where no shape moves. What holds a ball here and there,
+    /// holds it on its way.
+    closing: Vec<[Ball; 3]>,
     /// By id; none for a plane.
     boxes: Vec<Option<Aabb>>,
+    /// A ball's padding, in parts of its reach.
+    padding: f64,
 }
 
 impl Held {
     /// Of all primitives.
     pub(super) fn of<R: Real>(flat: &Flat<R>) -> Self {
         let count = flat.primitives() as usize;
+        let [opens, closes] = ENDS;
         let mut held = Self {
-            balls: vec![[Ball::default(); 3]; count],
+            balls: balls_at(flat, 0.0),
+            closing: Vec::new(),
             boxes: vec![None; count],
+            padding: PADDING,
         };
-        let point = |v: [R; 3]| DVec3::from(v.map(|x| f64::from(x.to_f32())));
-        for (sphere, &id) in flat.spheres.iter().zip(&flat.sphere_ids) {
-            let ball = (point(sphere.center), sphere.radius.to_f32().into());
-            held.balls[id as usize] = [ball; 3];
-        }
-        for (disk, &id) in flat.disks.iter().zip(&flat.disk_ids) {
-            let ball = (point(disk.center), disk.radius.to_f32().into());
-            held.balls[id as usize] = [ball; 3];
-        }
-        for &corners in &flat.triangles {
-            let triangle = triangle_of(flat, corners);
-            let points = [triangle.a, triangle.b, triangle.c];
-            held.balls[corners.id as usize] = points.map(|v| (point(v), 0.0));
+        if flat.has_moving_shapes() {
+            held.balls = balls_at(flat, opens);
+            held.closing = balls_at(flat, closes);
+            held.padding = MOVING_PADDING;
         }
         for (aabb, id) in primitive_boxes(flat) {
             held.boxes[id as usize] = Some(aabb);
@@ -53,7 +61,9 @@ impl Held {
     }
 
     fn balls_of(&self, ids: &[u32]) -> impl Iterator<Item = &Ball> {
-        ids.iter().flat_map(|&id| &self.balls[id as usize])
+        let closing = |id: u32| self.closing.get(id as usize).into_iter().flatten();
+        ids.iter()
+            .flat_map(move |&id| self.balls[id as usize].iter().chain(closing(id)))
     }
 
     /// The box of primitives: the union of their own boxes.
@@ -82,7 +92,7 @@ impl Held {
         let center = center.to_array().map(R::from_f64);
         BallRecord {
             center,
-            radius: R::from_f64(padded(self.radius_around(center, ids), center)),
+            radius: R::from_f64(self.padded(self.radius_around(center, ids), center)),
         }
     }
 
@@ -91,7 +101,7 @@ impl Held {
     /// does not: then it cuts the picture, as it says.
     pub(super) fn settle_ball<R: Real>(&self, given: BallRecord<R>, ids: &[u32]) -> BallRecord<R> {
         let radius = self.radius_around(given.center, ids);
-        let needed = padded(radius, given.center);
+        let needed = self.padded(radius, given.center);
         let own = f64::from(given.radius.to_f32());
         let slack = needed - radius;
         if own >= needed || own + slack < radius {
@@ -109,7 +119,7 @@ impl Held {
         for axis in 0..3 {
             let reach = needed.low[axis].abs().max(needed.high[axis].abs());
             // An own box is padded by a part of the sum over three axes.
-            let slack = 4.0 * f64::from(reach) * PADDING;
+            let slack = 4.0 * f64::from(reach) * self.padding;
             let just = |outside: f64| outside > 0.0 && outside <= slack;
             if just(f64::from(given.low[axis]) - f64::from(needed.low[axis])) {
                 settled.low[axis] = needed.low[axis];
@@ -143,7 +153,13 @@ impl Held {
 
     /// What rounding may take of primitives.
     pub(super) fn slack(&self, ids: &[u32]) -> f64 {
-        self.radius_around([0.0; 3], ids) * PADDING
+        self.radius_around([0.0; 3], ids) * self.padding
+    }
+
+    /// A radius with what rounding needs.
+    fn padded<R: Real>(&self, radius: f64, center: [R; 3]) -> f64 {
+        let distance = DVec3::from(center.map(|x| f64::from(x.to_f32()))).length();
+        radius + (distance + radius) * self.padding
     }
 
     /// Cuts primitives in halves, along the axis along which they spread most.
@@ -169,8 +185,22 @@ impl Held {
     }
 }
 
-/// A radius with what rounding needs.
-fn padded<R: Real>(radius: f64, center: [R; 3]) -> f64 {
-    let distance = DVec3::from(center.map(|x| f64::from(x.to_f32()))).length();
-    radius + (distance + radius) * PADDING
+/// What volumes must hold of each primitive at a time, by its id.
+fn balls_at<R: Real>(flat: &Flat<R>, time: f32) -> Vec<[Ball; 3]> {
+    let mut balls = vec![[Ball::default(); 3]; flat.primitives() as usize];
+    let point = |v: [R; 3]| DVec3::from(v.map(|x| f64::from(x.to_f32())));
+    for (row, &id) in (0..).zip(&flat.sphere_ids) {
+        let sphere = sphere_at(flat, row, time);
+        balls[id as usize] = [(point(sphere.center), sphere.radius.to_f32().into()); 3];
+    }
+    for (row, &id) in (0..).zip(&flat.disk_ids) {
+        let disk = disk_at(flat, row, time);
+        balls[id as usize] = [(point(disk.center), disk.radius.to_f32().into()); 3];
+    }
+    for &corners in &flat.triangles {
+        let triangle = triangle_at(flat, corners, time);
+        let points = [triangle.a, triangle.b, triangle.c];
+        balls[corners.id as usize] = points.map(|v| (point(v), 0.0));
+    }
+    balls
 }

@@ -3,6 +3,7 @@
 //! [`tree`] builds a bounding volume hierarchy over all primitives but the
 //! planes: `split` finds where a node is cut, `item` is what is cut, `validate` proves
 //! a built tree, and [`pairs`] packs it for the shaders.
+//! `swept` finds the boxes of shapes that move.
 //! `volumes` lists the volumes of groups and meshes: `held` says how large they must
 //! be, [`ball`] finds tight spheres, `overfull` what sticks out of those given by hand,
 //! `nesting` knows what lies in what.
@@ -20,6 +21,7 @@ mod overfull;
 pub mod pairs;
 pub mod screen;
 mod split;
+mod swept;
 pub mod tree;
 mod validate;
 mod volumes;
@@ -33,6 +35,7 @@ use serde::Serialize;
 use self::arrange::arrange;
 use self::pairs::pack_pairs;
 use self::screen::words_of_tile;
+use self::swept::swept_box;
 use self::volumes::{Listing, list_volumes};
 use crate::flat::{Flat, Kind};
 use crate::kernel::aabb::Aabb;
@@ -122,8 +125,12 @@ fn grow_tree<R: Real>(flat: &mut Flat<R>) {
     });
 }
 
-/// The own box of the primitive in a row of its kind's table.
+/// The own box of the primitive in a row of its kind's table; one that holds it at every time,
+/// where shapes move.
 pub fn box_of_row<R: Real>(flat: &Flat<R>, kind: Kind, row: usize) -> Aabb {
+    if flat.has_moving_shapes() {
+        return swept_box(flat, kind, row);
+    }
     let ball =
         |center: [R; 3], radius: R| ball_box::<R>(Vec3::from(center).to_f32(), radius.to_f32());
     match kind {

@@ -26,7 +26,12 @@ use crate::watch::Watch;
 const MOST_PIXELS: u32 = 1 << 24;
 
 impl<R: Real> Tracer<R> for Search<'_, R> {
+    fn open_shutter(&mut self, time: f32) {
+        self.time = time;
+    }
+
     fn closest(&mut self, probe: Probe<R>, hit: &mut Hit<R>) {
+        hit.time = self.time;
         Search::closest(self, probe, hit);
     }
 
@@ -53,7 +58,9 @@ impl<'a, R: Real> Sampled<'a, R> {
     /// As [`super::Prepared::new`].
     pub fn new(flat: &'a Flat<R>, threads: Option<NonZeroUsize>) -> Result<Self> {
         let pool = pool_of(threads)?;
-        let wide = (!flat.pairs.is_empty()).then(|| pool.install(|| Wide::new(flat)));
+        // The wide tree keeps its triangles where they are in the middle of the time.
+        let is_wide = !flat.pairs.is_empty() && !flat.has_moving_shapes();
+        let wide = is_wide.then(|| pool.install(|| Wide::new(flat)));
         Ok(Self {
             flat,
             wide,

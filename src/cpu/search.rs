@@ -11,6 +11,7 @@ use crate::kernel::planes::closest_plane;
 use crate::kernel::probe::Probe;
 use crate::kernel::real::{Real, constant};
 use crate::kernel::trace::{find_hit, test_rows};
+use crate::kernel::tree::any_hit;
 use crate::kernel::triangles::meet_triangle;
 use crate::layout::{LEAF, NO_HIT, leaf_parts};
 
@@ -22,6 +23,8 @@ pub struct Search<'a, R> {
     flat: &'a Flat<R>,
     wide: Option<&'a Wide<R>>,
     waiting: Vec<Waiting>,
+    /// When shapes are looked for.
+    pub(super) time: f32,
 }
 
 /// A ray's slabs, eight times each, and which plane of an axis it meets first.
@@ -80,6 +83,7 @@ impl<'a, R: Real> Search<'a, R> {
             flat,
             wide,
             waiting: vec![(0.0, 0); wide.map_or(0, |wide| wide.waiting)],
+            time: 0.0,
         }
     }
 
@@ -95,7 +99,11 @@ impl<'a, R: Real> Search<'a, R> {
     pub fn any(&mut self, probe: Probe<R>, limit: R) -> bool {
         let mut hit = no_hit();
         hit.t = limit;
+        hit.time = self.time;
         match self.wide {
+            None if !self.flat.pairs.is_empty() => {
+                return any_hit(self.flat, probe, limit, &mut hit);
+            }
             None => find_hit(self.flat, probe, &mut hit),
             Some(wide) => self.walk(wide, probe, &mut hit, |hit| hit.id != NO_HIT),
         }

@@ -99,8 +99,6 @@ const PATHS_OF_LIGHT: &[Source] = &[
     file!("frame.wgsl"),
     file!("circle.wgsl"),
     file!("cutouts_off.wgsl"),
-    file!("lens_off.wgsl"),
-    file!("motion_off.wgsl"),
     file!("textures_off.wgsl"),
     file!("fog_off.wgsl"),
 ];

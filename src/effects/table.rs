@@ -11,6 +11,7 @@ pub const EFFECTS: &[Effect] = &[
         &[
             file!("sphere.wgsl"),
             file!("sphere_meeting.wgsl"),
+            file!("sphere_rows_off.wgsl"),
             file!("spheres_on.wgsl"),
         ],
         &[file!("spheres_off.wgsl")],
@@ -31,6 +32,7 @@ pub const EFFECTS: &[Effect] = &[
         &[
             file!("plane.wgsl"),
             file!("plane_meeting.wgsl"),
+            file!("plane_rows_off.wgsl"),
             file!("planes_on.wgsl"),
         ],
         &[file!("planes_off.wgsl")],
@@ -45,6 +47,7 @@ pub const EFFECTS: &[Effect] = &[
             file!("plane_meeting.wgsl"),
             file!("disk.wgsl"),
             file!("disk_meeting.wgsl"),
+            file!("disk_rows_off.wgsl"),
             file!("disks_on.wgsl"),
         ],
         &[file!("disks_off.wgsl")],
@@ -57,6 +60,7 @@ pub const EFFECTS: &[Effect] = &[
         &[
             file!("triangle.wgsl"),
             file!("triangle_meeting.wgsl"),
+            file!("triangle_rows_off.wgsl"),
             file!("triangles_on.wgsl"),
         ],
         &[file!("triangles_off.wgsl")],
@@ -244,4 +248,30 @@ pub const EFFECTS: &[Effect] = &[
     .binding(&["environment"])
     .caused_by(cause::environment)
     .removed_by(removal::environment),
+    Effect::new(
+        "depth of field",
+        Part::Path,
+        |counts| counts.lens,
+        &[file!("lens_on.wgsl")],
+        &[file!("lens_off.wgsl")],
+    )
+    .binding(&["lens"])
+    .caused_by(cause::depth_of_field)
+    .removed_by(removal::depth_of_field),
+    Effect::new(
+        "motion blur",
+        Part::Path,
+        |counts| counts.moving > 0,
+        &[
+            file!("motion_on.wgsl"),
+            file!("sphere_rows_on.wgsl"),
+            file!("disk_rows_on.wgsl"),
+            file!("plane_rows_on.wgsl"),
+            file!("triangle_rows_on.wgsl"),
+        ],
+        &[file!("motion_off.wgsl")],
+    )
+    .binding(&["motion"])
+    .caused_by(cause::motion_blur)
+    .removed_by(removal::motion_blur),
 ];

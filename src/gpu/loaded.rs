@@ -12,7 +12,7 @@ use crate::effects::{Device, Effect, Entry, Fetch, select_files};
 use crate::error::Result;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{SamplingRecord, Tables};
+use crate::layout::{MotionRecord, SamplingRecord, Tables};
 
 /// A scene, uploaded, and its shader, compiled.
 pub(super) struct Loaded {
@@ -23,6 +23,8 @@ pub(super) struct Loaded {
     pub(super) sampling: SamplingRecord,
     /// Where the tables of lights lie that are no points.
     pub(super) lights: LightTables,
+    /// How far things go while the shutter is open.
+    pub(super) motion: MotionRecord,
     /// Where the scene lies.
     pub(super) fetch: Fetch,
     memory: SceneMemory,
@@ -46,9 +48,11 @@ impl Loaded {
         let mut scene = PackedScene::of(flat, portions.forced);
         let mut sampling = flat.sampling;
         let mut lights = LightTables::default();
+        let mut motion = MotionRecord::default();
         if entry == Entry::Samples {
             sampling = scene.add_path_tables(flat);
             lights = scene.add_light_tables(flat);
+            motion = scene.add_motion_tables(flat);
         }
         let fetch = portions.fetch.unwrap_or_else(|| best_fetch(gpu, &scene));
         let device = Device {
@@ -70,6 +74,7 @@ impl Loaded {
             tables: scene.tables,
             sampling,
             lights,
+            motion,
             fetch,
         })
     }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use bytemuck::bytes_of;
 use wgpu::BufferUsages;
 
 use super::device::Gpu;
@@ -62,9 +63,9 @@ impl<'a, R: Real> Sampled<'a, R> {
         let pixels = Shown::new(gpu, "pixels", count * bytes_of_pixel)?;
         let tallies = Shown::new(gpu, "tallies", count * size_of::<Tally>() as u64)?;
         let mut frame = uniforms(gpu, flat, &loaded.tables)?;
-        let sampling = bytemuck::bytes_of(&loaded.sampling);
-        let lamps = bytemuck::bytes_of(&loaded.lights.lamps);
-        let environment = bytemuck::bytes_of(&loaded.lights.environment);
+        let sampling = bytes_of(&loaded.sampling);
+        let lamps = bytes_of(&loaded.lights.lamps);
+        let environment = bytes_of(&loaded.lights.environment);
         frame.extend([
             ("dispatch", dispatch.clone()),
             ("pixels", pixels.buffer.clone()),
@@ -74,6 +75,11 @@ impl<'a, R: Real> Sampled<'a, R> {
             (
                 "environment",
                 gpu.upload_uniform("environment", environment)?,
+            ),
+            ("lens", gpu.upload_uniform("lens", bytes_of(&flat.lens))?),
+            (
+                "motion",
+                gpu.upload_uniform("motion", bytes_of(&loaded.motion))?,
             ),
         ]);
         let groups = loaded.bind(gpu, &frame)?;

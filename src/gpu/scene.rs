@@ -5,7 +5,7 @@ use bytemuck::{Pod, cast_slice};
 use crate::effects::EffectSet;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{Environment, LampTable, QUAD, SamplingRecord, Tables};
+use crate::layout::{Environment, LampTable, MotionRecord, QUAD, SamplingRecord, Tables};
 use crate::tier::parts_of;
 
 /// Four words.
@@ -83,6 +83,18 @@ impl PackedScene {
                 sums: push_words(quads, cast_slice(&flat.sky.sums)),
                 ..flat.environment
             },
+        }
+    }
+
+    /// Packs how far shapes go while the shutter is open, and tells where that lies.
+    pub(super) fn add_motion_tables<R: Real>(&mut self, flat: &Flat<R>) -> MotionRecord {
+        let quads = &mut self.quads;
+        MotionRecord {
+            camera: flat.camera_velocity,
+            moving: flat.velocities.len() as u32,
+            velocities: push_vectors(quads, &flat.velocities),
+            rows: push_words(quads, &flat.velocity_rows),
+            padding: [0; 2],
         }
     }
 

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::camera::Ray;
+use super::disk_rows::disk_at;
 use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
 use super::probe::Probe;
@@ -15,7 +16,7 @@ use crate::tier::Formulas;
 /// Tests the disk in a row of the table.
 #[inline]
 pub fn test_disk<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
-    let disk = &flat.disks[row as usize];
+    let disk = &disk_at(flat, row, hit.time);
     let meeting = match R::FORMULAS {
         Formulas::Bounded => disk_bounded::meet_disk(probe, disk),
         _ => disk_meeting::meet_disk(probe, disk),
@@ -38,7 +39,7 @@ pub fn disk_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Option
     if hit.id < flat.first_disk() || hit.id >= flat.first_triangle() {
         return None;
     }
-    let disk = &flat.disks[hit.row as usize];
+    let disk = &disk_at(flat, hit.row, hit.time);
     let facing = face_viewer(Vec3::from(disk.normal), ray.direction).to_f32();
     let reach = taxicab_length(Vec3::from(disk.center).to_f32()) + disk.radius.to_f32();
     Some(Surface {

@@ -29,6 +29,8 @@ pub struct Hit<R> {
     pub tests: u32,
     /// The tile of the screen that the ray goes through.
     pub tile: u32,
+    /// When shapes are looked for, see [`super::motion::shutter_time`].
+    pub time: f32,
     /// Volumes tested so far.
     pub bound_tests: u32,
     /// Those of them that the ray met.
@@ -71,6 +73,7 @@ pub fn no_hit<R: Real>() -> Hit<R> {
         rival: R::MISS,
         tests: 0,
         tile: 0,
+        time: 0.0,
         bound_tests: 0,
         bound_hits: 0,
     }

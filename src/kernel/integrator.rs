@@ -234,10 +234,10 @@ pub fn sample_pixel<R: Real>(
     sample: u32,
 ) -> Pixel {
     let numbers = numbers_of(flat.sampling.seed, x, y, sample);
-    open_shutter(tracer, numbers);
+    open_shutter(flat, tracer, numbers);
     let mut ray = camera_ray(&flat.camera, flat.size, x, y);
     ray = in_pixel(flat, ray, numbers);
     ray = through_lens(flat, ray, numbers);
-    ray = from_moving_camera(flat, ray);
+    ray = from_moving_camera(flat, ray, numbers);
     follow(flat, tracer, ray, numbers)
 }

@@ -38,7 +38,7 @@ pub fn slack<R: Real>() -> f32 {
 
 /// The box from `low` to `high`, padded for a shape whose points lie within
 /// `reach` of the camera.
-fn padded_box<R: Real>(low: Vec3<f32>, high: Vec3<f32>, reach: f32) -> Aabb {
+pub fn padded_box<R: Real>(low: Vec3<f32>, high: Vec3<f32>, reach: f32) -> Aabb {
     let padding = reach * padding::<R>();
     let pad = vec3(padding, padding, padding);
     Aabb {

@@ -3,6 +3,7 @@
 use super::camera::Ray;
 use super::doubt::{keep_nearer, may_be_closest};
 use super::hit::{Hit, Surface, count_test};
+use super::plane_rows::plane_at;
 use super::probe::Probe;
 use super::real::Real;
 use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
@@ -12,7 +13,8 @@ use crate::tier::Formulas;
 
 /// Tests every plane.
 pub fn closest_plane<R: Real>(flat: &Flat<R>, probe: Probe<R>, hit: &mut Hit<R>) {
-    for (plane, row) in flat.planes.iter().zip(0..) {
+    for row in 0..flat.planes.len() as u32 {
+        let plane = &plane_at(flat, row, hit.time);
         let meeting = match R::FORMULAS {
             Formulas::Bounded => plane_bounded::meet_plane(probe, plane),
             _ => plane_meeting::meet_plane(probe, plane),
@@ -29,7 +31,7 @@ pub fn plane_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Optio
     if hit.id < flat.first_plane() || hit.id >= flat.first_disk() {
         return None;
     }
-    let plane = &flat.planes[hit.row as usize];
+    let plane = &plane_at(flat, hit.row, hit.time);
     let position = (ray.origin + ray.direction * hit.t).to_f32();
     let facing = face_viewer(Vec3::from(plane.normal), ray.direction).to_f32();
     let reach = taxicab_length(position);

@@ -8,6 +8,7 @@ use super::hit::{Hit, Surface, count_test};
 use super::near_spheres::{sphere_power, starts_near};
 use super::probe::Probe;
 use super::real::Real;
+use super::sphere_rows::sphere_at;
 use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
 use super::{sphere, sphere_bounded, sphere_meeting, sphere_textbook};
 use crate::flat::Flat;
@@ -20,7 +21,7 @@ pub const NEAR_REACH: f32 = 1.0 / 1_048_576.0;
 /// Tests the sphere in a row of the table.
 #[inline]
 pub fn test_sphere<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
-    let sphere = &flat.spheres[row as usize];
+    let sphere = &sphere_at(flat, row, hit.time);
     let meeting = match R::FORMULAS {
         Formulas::Bounded => sphere_bounded::meet_sphere(probe, sphere),
         _ => sphere_meeting::meet_sphere(probe, sphere),
@@ -43,7 +44,7 @@ pub fn sphere_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Opti
     if hit.id >= flat.first_plane() {
         return None;
     }
-    let sphere = &flat.spheres[hit.row as usize];
+    let sphere = &sphere_at(flat, hit.row, hit.time);
     let (normal, position) = match R::FORMULAS {
         Formulas::Textbook => {
             let normal = sphere_textbook::sphere_normal(ray, sphere, hit.t);

@@ -9,6 +9,10 @@ use crate::layout::NO_HIT;
 
 /// What finds hits.
 pub trait Tracer<R: Real> {
+    /// Has the shapes stand where they are at a time, of [`super::motion::shutter_time`]; what
+    /// knows no time has them where they are in its middle.
+    fn open_shutter(&mut self, _time: f32) {}
+
     /// The nearest of all primitives.
     fn closest(&mut self, probe: Probe<R>, hit: &mut Hit<R>);
 

@@ -9,13 +9,14 @@ use super::hit::{Hit, Meeting, Surface, count_test};
 use super::probe::Probe;
 use super::real::Real;
 use super::smooth_normals::shading_normal;
+use super::triangle_rows::triangle_at;
 use super::vector::{Vec3, dot_product, face_viewer, taxicab_length};
 use super::{triangle, triangle_bounded, triangle_meeting, triangle_textbook};
 use crate::flat::Flat;
 use crate::layout::{Corners, Triangle};
 use crate::tier::Formulas;
 
-/// The triangle with these corners.
+/// The triangle with these corners, in the middle of the time.
 #[inline]
 pub fn triangle_of<R: Real>(flat: &Flat<R>, corners: Corners) -> Triangle<R> {
     let [a, b, c] = corners
@@ -44,7 +45,7 @@ pub fn meet_triangle<R: Real>(probe: Probe<R>, triangle: &Triangle<R>) -> Meetin
 #[inline]
 pub fn test_triangle<R: Real>(flat: &Flat<R>, probe: Probe<R>, row: u32, hit: &mut Hit<R>) {
     let corners = flat.triangles[row as usize];
-    let meeting = meet_triangle(probe, &triangle_of(flat, corners));
+    let meeting = meet_triangle(probe, &triangle_at(flat, corners, hit.time));
     count_test(hit);
     if may_be_closest(*hit, meeting) {
         keep_nearer(hit, meeting, corners.id, row);
@@ -69,7 +70,7 @@ pub fn triangle_surface<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> Op
         return None;
     }
     let corners = flat.triangles[hit.row as usize];
-    let triangle = triangle_of(flat, corners);
+    let triangle = triangle_at(flat, corners, hit.time);
     let (weights, normal) = match R::FORMULAS {
         Formulas::Textbook => (
             triangle_textbook::triangle_weights(ray, &triangle),

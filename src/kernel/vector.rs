@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::divide::{divide, square_root};
-use super::real::Real;
+use super::real::{Real, constant};
 
 /// Three numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -30,6 +30,13 @@ impl<R: Real> Vec3<R> {
     /// Componentwise product.
     pub fn times(self, other: Self) -> Self {
         vec3(self.x * other.x, self.y * other.y, self.z * other.z)
+    }
+}
+
+impl Vec3<f32> {
+    /// The same vector as the geometry has its numbers; in WGSL a conversion.
+    pub fn widened<R: Real>(self) -> Vec3<R> {
+        vec3(constant(self.x), constant(self.y), constant(self.z))
     }
 }
 

@@ -144,6 +144,41 @@ records! {
         /// Samples that were no numbers, and left out.
         faults: u32,
     }
+
+    /// The camera's lens.
+    LensRecord {
+        /// Rightward, as long as the lens's radius.
+        right: [f32; 3],
+        /// 0 for a pinhole.
+        radius: f32,
+        /// Upward, as long as the radius.
+        up: [f32; 3],
+        /// Unused.
+        padding_0: f32,
+        /// How far a ray through the end of `right` turns to meet the middle's at the focus, at
+        /// distance 1.
+        turn_right: [f32; 3],
+        /// Unused.
+        padding_1: f32,
+        /// The same of `up`.
+        turn_up: [f32; 3],
+        /// Unused.
+        padding_2: f32,
+    }
+
+    /// How far things go while the shutter is open, and where tables of that begin, in quads.
+    MotionRecord {
+        /// How far the camera goes.
+        camera: [f32; 3],
+        /// Shapes that move: where there are none, there are no tables.
+        moving: u32,
+        /// One quad each.
+        velocities: u32,
+        /// One word to a primitive, by its id: 0, or one more than a row of `velocities`.
+        rows: u32,
+        /// Unused.
+        padding: [u32; 2],
+    }
 }
 
 impl FinishRecord {

@@ -1,4 +1,9 @@
-//! Light by many samples, effect by effect.
+//! The light of pictures that are made of samples, effect by effect, against closed forms.
 
+#[path = "../common/mod.rs"]
+mod common;
+
+mod depth_of_field;
 mod lamps;
+mod motion_blur;
 mod scenes;
