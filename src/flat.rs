@@ -12,8 +12,8 @@ use crate::flatten::camera_power;
 use crate::kernel::near_spheres::{FAR, is_near};
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, FinishRecord, LightRecord, MaterialRecord,
-    Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings, Volume,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, FinishRecord, FogRecord, LightRecord,
+    MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings, Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -51,6 +51,8 @@ pub struct Flat<R> {
     pub sampling: SamplingRecord,
     /// Samples of a pixel.
     pub samples: u32,
+    /// The fog, with a density of 0 where there is none.
+    pub fog: FogRecord,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -187,6 +189,7 @@ impl<R> Flat<R> {
             occlusion: self.sampling.occlusion > 0.0,
             bounces: self.sampling.bounces,
             samples: self.samples,
+            fog: self.fog.density > 0.0,
         }
     }
 
@@ -282,4 +285,7 @@ pub struct Counts {
     /// Samples of a pixel.
     #[serde(skip)]
     pub samples: u32,
+    /// Whether there is fog.
+    #[serde(skip)]
+    pub fog: bool,
 }

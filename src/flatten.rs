@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 use glam::{DMat3, DVec3};
 
-use self::finish::{finish, sampling};
+use self::finish::{finish, fog, sampling};
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
 use crate::kernel::real::{Real, constant};
@@ -52,6 +52,7 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         finishes: scene.materials.iter().map(finish).collect(),
         sampling: sampling(scene),
         samples: scene.integrator.samples,
+        fog: fog(scene),
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),

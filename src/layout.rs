@@ -12,7 +12,9 @@ mod samples;
 
 pub use leaf::{leaf_of, leaf_parts};
 pub use record::Record;
-pub use samples::{FinishRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord, Tally};
+pub use samples::{
+    FinishRecord, FogRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord, Tally,
+};
 
 use bytemuck::{Pod, Zeroable};
 

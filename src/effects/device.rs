@@ -106,7 +106,6 @@ const PATHS_OF_LIGHT: &[Source] = &[
     file!("textures_off.wgsl"),
     file!("mirrors_off.wgsl"),
     file!("clear_bodies_off.wgsl"),
-    file!("fog_off.wgsl"),
 ];
 
 /// Rays of a list that end where they meet something.

@@ -158,4 +158,12 @@ pub const EFFECTS: &[Effect] = &[
         &[file!("anti_aliasing_on.wgsl")],
         &[file!("anti_aliasing_off.wgsl")],
     ),
+    Effect::new(
+        "fog",
+        Part::Path,
+        |counts| counts.fog,
+        &[file!("fog_on.wgsl"), file!("exponential.wgsl")],
+        &[file!("fog_off.wgsl")],
+    )
+    .binding(&["fog"]),
 ];

@@ -19,6 +19,7 @@ impl<R: Real> Flat<R> {
             finishes: self.finishes.clone(),
             sampling: self.sampling,
             samples: self.samples,
+            fog: self.fog,
             material_indices: self.material_indices.clone(),
             spheres: self.spheres.iter().map(convert_sphere).collect(),
             sphere_ids: self.sphere_ids.clone(),

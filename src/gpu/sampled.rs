@@ -68,6 +68,10 @@ impl<'a, R: Real> Sampled<'a, R> {
             ("pixels", pixels.buffer.clone()),
             ("tallies", tallies.buffer.clone()),
             ("sampling", gpu.upload_uniform("sampling", sampling)?),
+            (
+                "fog",
+                gpu.upload_uniform("fog", bytemuck::bytes_of(&flat.fog))?,
+            ),
         ]);
         let groups = loaded.bind(gpu, &frame)?;
         Ok(Self {

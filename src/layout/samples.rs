@@ -74,4 +74,12 @@ records! {
         /// Samples that were no numbers, and left out.
         faults: u32,
     }
+
+    /// Fog that is the same everywhere.
+    FogRecord {
+        /// The part of what it takes out of light that it scatters.
+        albedo: [f32; 3],
+        /// What it takes out of a ray in a unit of length; 0 where there is none.
+        density: f32,
+    }
 }
