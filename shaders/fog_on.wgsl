@@ -33,14 +33,14 @@ fn meets_fog(
     let way = divide_f32(-logarithm(1.0 - drawn), fog.density);
     var end = ENDLESS;
     if hit.id != NO_HIT {
-        end = f32(hit.t * vector_length(path.ray.direction));
+        end = way_to_hit(path, hit);
     }
     if way >= end {
         return false;
     }
     let along = unit_vector_f32(vec3<f32>(path.ray.direction));
     let none = vec3<f32>();
-    *surface = Surface(vec3<f32>(path.ray.origin) + along * way, none, none, 0.0);
+    *surface = Surface(leg_start(path) + along * way, none, none, 0.0);
     *look = Look(fog.albedo, 0.0, none, 0.0, 1.0, true);
     (*look).evenly = even_chance(path, *look);
     return true;

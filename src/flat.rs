@@ -3,7 +3,7 @@
 mod convert;
 
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use serde::Serialize;
 
@@ -13,7 +13,8 @@ use crate::kernel::near_spheres::{FAR, is_near};
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
     BallRecord, BoxRecord, CameraRecord, Corners, Disk, FinishRecord, FogRecord, LightRecord,
-    MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings, Volume,
+    MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere, Surroundings, TextureRecord,
+    Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -53,6 +54,10 @@ pub struct Flat<R> {
     pub samples: u32,
     /// The fog, with a density of 0 where there is none.
     pub fog: FogRecord,
+    /// The textures of the materials.
+    pub textures: Vec<TextureRecord>,
+    /// The texels of all images, each row by row from the top: red, green, blue and alpha.
+    pub texels: Arc<Vec<[f32; 4]>>,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -190,6 +195,12 @@ impl<R> Flat<R> {
             bounces: self.sampling.bounces,
             samples: self.samples,
             fog: self.fog.density > 0.0,
+            textures: self.textures.len(),
+            cutouts: self
+                .finishes
+                .iter()
+                .filter(|finish| finish.is_cutout != 0)
+                .count(),
         }
     }
 
@@ -222,6 +233,8 @@ impl<R> Flat<R> {
             + reals(self.vertices.len())
             + self.vertex_normals.len() * quad
             + words(2 * self.vertex_uvs.len())
+            + size_of_val(self.textures.as_slice())
+            + size_of_val(self.texels.as_slice())
             + size_of_val(self.pairs.as_slice())
             + size_of_val(self.volumes.as_slice())
             + reals(self.balls.len())
@@ -288,4 +301,10 @@ pub struct Counts {
     /// Whether there is fog.
     #[serde(skip)]
     pub fog: bool,
+    /// Textures, one to a material that has one.
+    #[serde(skip)]
+    pub textures: usize,
+    /// Those of them that have holes.
+    #[serde(skip)]
+    pub cutouts: usize,
 }

@@ -6,19 +6,21 @@
 
 mod finish;
 mod mesh;
+mod textures;
 
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DMat3, DVec3};
 
 use self::finish::{finish, fog, sampling};
+use self::textures::Textures;
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, Plane, SHADOW,
-    Sphere, Surroundings, WEAKENS,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, LightRecord, MaterialRecord, NONE, Plane,
+    SHADOW, Sphere, Surroundings, WEAKENS,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, GroupBound, Light, Material, PixelSampling, Scene, Shape, Transform,
@@ -53,6 +55,8 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         sampling: sampling(scene),
         samples: scene.integrator.samples,
         fog: fog(scene),
+        textures: Vec::new(),
+        texels: Arc::default(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),
@@ -77,10 +81,21 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
             padding: 0.0,
         });
     }
+    push_textures(&mut flat, &scene.materials, eye);
     push_lights(&mut flat, &scene.lights, eye);
     let ids = push_shapes(&mut flat, scene);
     flat.parts = parts(scene, &ids);
     (flat, ids)
+}
+
+fn push_textures<R>(flat: &mut Flat<R>, materials: &[Material], eye: DVec3) {
+    let mut textures = Textures::default();
+    for (material, finish) in materials.iter().zip(&mut flat.finishes) {
+        finish.texture = textures.add(material, eye).unwrap_or(NONE);
+        finish.is_cutout &= u32::from(finish.texture != NONE);
+    }
+    flat.textures = textures.records;
+    flat.texels = Arc::new(textures.texels);
 }
 
 /// The camera's axes, scaled so that they reach the picture's edges at distance

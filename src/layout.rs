@@ -13,7 +13,7 @@ mod samples;
 pub use leaf::{leaf_of, leaf_parts};
 pub use record::Record;
 pub use samples::{
-    FinishRecord, FogRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord, Tally,
+    FinishRecord, FogRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord, Tally, TextureRecord,
 };
 
 use bytemuck::{Pod, Zeroable};

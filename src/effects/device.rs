@@ -98,12 +98,10 @@ const PATHS_OF_LIGHT: &[Source] = &[
     file!("tally.wgsl"),
     file!("frame.wgsl"),
     file!("circle.wgsl"),
-    file!("cutouts_off.wgsl"),
     file!("lens_off.wgsl"),
     file!("motion_off.wgsl"),
     file!("sky_off.wgsl"),
     file!("lamps_off.wgsl"),
-    file!("textures_off.wgsl"),
     file!("mirrors_off.wgsl"),
     file!("clear_bodies_off.wgsl"),
 ];

@@ -14,6 +14,10 @@ pub const EFFECTS: &[Effect] = &[
             file!("spheres_on.wgsl"),
         ],
         &[file!("spheres_off.wgsl")],
+    )
+    .along_paths(
+        &[file!("sphere_coordinates_on.wgsl"), file!("angles.wgsl")],
+        &[file!("sphere_coordinates_off.wgsl")],
     ),
     Effect::new(
         "near spheres",
@@ -56,6 +60,10 @@ pub const EFFECTS: &[Effect] = &[
             file!("triangles_on.wgsl"),
         ],
         &[file!("triangles_off.wgsl")],
+    )
+    .along_paths(
+        &[file!("triangle_coordinates_on.wgsl")],
+        &[file!("triangle_coordinates_off.wgsl")],
     ),
     Effect::new(
         "tree",
@@ -166,4 +174,18 @@ pub const EFFECTS: &[Effect] = &[
         &[file!("fog_off.wgsl")],
     )
     .binding(&["fog"]),
+    Effect::new(
+        "textures",
+        Part::Path,
+        |counts| counts.textures > 0,
+        &[file!("textures_on.wgsl")],
+        &[file!("textures_off.wgsl")],
+    ),
+    Effect::new(
+        "cut-outs",
+        Part::Path,
+        |counts| counts.cutouts > 0,
+        &[file!("cutouts_on.wgsl"), file!("textures_on.wgsl")],
+        &[file!("cutouts_off.wgsl")],
+    ),
 ];

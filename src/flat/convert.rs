@@ -20,6 +20,8 @@ impl<R: Real> Flat<R> {
             sampling: self.sampling,
             samples: self.samples,
             fog: self.fog,
+            textures: self.textures.clone(),
+            texels: self.texels.clone(),
             material_indices: self.material_indices.clone(),
             spheres: self.spheres.iter().map(convert_sphere).collect(),
             sphere_ids: self.sphere_ids.clone(),

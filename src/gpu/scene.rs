@@ -4,7 +4,7 @@ use bytemuck::{Pod, cast_slice};
 
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{QUAD, SamplingRecord, Tables};
+use crate::layout::{NONE, QUAD, SamplingRecord, Tables};
 use crate::tier::parts_of;
 
 /// Four words.
@@ -55,6 +55,13 @@ impl PackedScene {
         let quads = &mut self.quads;
         SamplingRecord {
             finishes: push_records(quads, &flat.finishes),
+            vertex_uvs: if flat.vertex_uvs.is_empty() {
+                NONE
+            } else {
+                push_words(quads, cast_slice(&flat.vertex_uvs))
+            },
+            textures: push_records(quads, &flat.textures),
+            texels: push_records(quads, &flat.texels),
             ..flat.sampling
         }
     }

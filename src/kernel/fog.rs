@@ -11,11 +11,11 @@ use super::exponential::{exponential, logarithm};
 use super::frame::cosine_direction;
 use super::hit::{Hit, Surface};
 use super::indirect::even_chance;
-use super::integrator::{Look, Path};
+use super::integrator::{Look, Path, leg_start, way_to_hit};
 use super::numbers::number;
 use super::real::Real;
 use super::sources::{Arriving, ENDLESS, cosine_at_surface};
-use super::vector::{Vec3, dot_product, unit_vector, vec3, vector_length};
+use super::vector::{Vec3, dot_product, unit_vector, vec3};
 use crate::flat::Flat;
 use crate::layout::NO_HIT;
 
@@ -36,14 +36,14 @@ pub fn meets_fog<R: Real>(flat: &Flat<R>, path: &Path<R>, hit: Hit<R>) -> Option
     let way = divide(-logarithm(1.0 - drawn), density);
     let mut end = ENDLESS;
     if hit.id != NO_HIT {
-        end = (hit.t * vector_length(path.ray.direction)).to_f32();
+        end = way_to_hit(path, hit);
     }
     if way >= end {
         return None;
     }
     let along = unit_vector(path.ray.direction.to_f32());
     let surface = Surface {
-        position: path.ray.origin.to_f32() + along * way,
+        position: leg_start(path) + along * way,
         normal: Vec3::default(),
         facing: Vec3::default(),
         reach: 0.0,
