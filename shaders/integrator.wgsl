@@ -22,6 +22,8 @@ struct Path {
     // How often it may still be scattered, and mirrored or refracted.
     bounces: u32,
     reflections: u32,
+    // How far the path had come on this leg where the ray begins: through holes.
+    passed: f32,
     // A search was given up.
     is_lost: bool,
 }
@@ -45,8 +47,23 @@ struct Look {
 fn path_from_camera(ray: Ray, numbers: Numbers) -> Path {
     let none = vec3<f32>();
     let all = vec3<f32>(1.0, 1.0, 1.0);
+    let bounces = sampling.bounces;
     let reflections = sampling.reflections;
-    return Path(ray, numbers, all, none, none, 0.0, 0u, sampling.bounces, reflections, false);
+    return Path(ray, numbers, all, none, none, 0.0, 0u, bounces, reflections, 0.0, false);
+}
+
+// Where the path's leg begins: its ray does, unless it has come through holes.
+fn leg_start(path: Path) -> vec3<f32> {
+    let origin = vec3<f32>(path.ray.origin);
+    if path.passed == 0.0 {
+        return origin;
+    }
+    return origin - unit_vector_f32(vec3<f32>(path.ray.direction)) * path.passed;
+}
+
+// How far it is from there to the hit.
+fn way_to_hit(path: Path, hit: Hit) -> f32 {
+    return f32(hit.t * vector_length(path.ray.direction)) + path.passed;
 }
 
 // Adds light that is found at the ray's far end.
@@ -147,7 +164,7 @@ fn follow(ray: Ray, numbers: Numbers) -> Pixel {
         path.leg = leg;
         let hit = seen_hit(&path);
         if leg == 0u {
-            pixel = layers_of(path.ray, hit);
+            pixel = layers_of(path, hit);
         }
         if !meet(&path, hit) || !survives(&path) {
             break;

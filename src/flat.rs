@@ -12,9 +12,9 @@ use crate::flatten::camera_power;
 use crate::kernel::near_spheres::{FAR, is_near};
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
-    BallRecord, BoxRecord, CameraRecord, Corners, Disk, Environment, FinishRecord, LampRecord,
-    LensRecord, LightRecord, MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord, Sphere,
-    Surroundings, Volume,
+    BallRecord, BoxRecord, CameraRecord, Corners, Disk, Environment, FinishRecord, FogRecord,
+    LampRecord, LensRecord, LightRecord, MaterialRecord, Pair, Plane, QUAD, SHADOW, SamplingRecord,
+    Sphere, Surroundings, TextureRecord, Volume,
 };
 
 /// The kinds of primitives that a volume may hold.
@@ -69,6 +69,12 @@ pub struct Flat<R> {
     /// By the id of a primitive, one more than the row of its velocity, or 0 where it stands
     /// still; empty where all do.
     pub velocity_rows: Vec<u32>,
+    /// The fog, with a density of 0 where there is none.
+    pub fog: FogRecord,
+    /// The textures of the materials.
+    pub textures: Vec<TextureRecord>,
+    /// The texels of all images, each row by row from the top: red, green, blue and alpha.
+    pub texels: Arc<Vec<[f32; 4]>>,
     /// The material of each primitive, by its id.
     pub material_indices: Vec<u32>,
     /// All spheres.
@@ -234,6 +240,13 @@ impl<R> Flat<R> {
             environments: self.environment.count,
             lens: self.lens.radius > 0.0,
             moving: self.velocities.len() + usize::from(self.camera_velocity != [0.0; 3]),
+            fog: self.fog.density > 0.0,
+            textures: self.textures.len(),
+            cutouts: self
+                .finishes
+                .iter()
+                .filter(|finish| finish.is_cutout != 0)
+                .count(),
         }
     }
 
@@ -270,6 +283,8 @@ impl<R> Flat<R> {
             + reals(self.vertices.len())
             + self.vertex_normals.len() * quad
             + words(2 * self.vertex_uvs.len())
+            + size_of_val(self.textures.as_slice())
+            + size_of_val(self.texels.as_slice())
             + size_of_val(self.pairs.as_slice())
             + size_of_val(self.volumes.as_slice())
             + reals(self.balls.len())
@@ -354,4 +369,13 @@ pub struct Counts {
     /// Shapes, and the camera, that move while the shutter is open.
     #[serde(skip)]
     pub moving: usize,
+    /// Whether there is fog.
+    #[serde(skip)]
+    pub fog: bool,
+    /// Textures, one to a material that has one.
+    #[serde(skip)]
+    pub textures: usize,
+    /// Those of them that have holes.
+    #[serde(skip)]
+    pub cutouts: usize,
 }

@@ -10,6 +10,7 @@ mod lamps;
 mod mesh;
 mod shutter;
 mod sky;
+mod textures;
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -17,16 +18,17 @@ use std::sync::{Arc, OnceLock};
 use glam::{DMat3, DVec3};
 
 use self::energies::energies;
-use self::finish::{finish, sampling};
+use self::finish::{finish, fog, sampling};
 use self::lamps::{push_forms, push_lamps};
 use self::shutter::{lens, push_velocity, velocity_of};
 use self::sky::flatten_sky;
+use self::textures::Textures;
 use crate::flat::{Flat, GivenBound, Part};
 use crate::kernel::near_spheres::FAR;
 use crate::kernel::real::{Real, constant};
 use crate::layout::{
     BallRecord, BoxRecord, CameraRecord, Corners, Disk, Environment, LightRecord, MaterialRecord,
-    Plane, SHADOW, Sphere, Surroundings, WEAKENS,
+    NONE, Plane, SHADOW, Sphere, Surroundings, WEAKENS,
 };
 use crate::scene::{
     Camera, Falloff, Geometry, GroupBound, Light, Material, PixelSampling, Scene, Shape, Transform,
@@ -74,6 +76,9 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         camera_velocity: scene.camera.velocity.as_vec3().to_array(),
         velocities: Vec::new(),
         velocity_rows: Vec::new(),
+        fog: fog(scene),
+        textures: Vec::new(),
+        texels: Arc::default(),
         material_indices: Vec::new(),
         spheres: Vec::new(),
         sphere_ids: Vec::new(),
@@ -99,6 +104,7 @@ pub fn flatten_with_ids<R: Real>(scene: &Scene) -> (Flat<R>, Vec<Range<u32>>) {
         });
     }
     flat.energies = energies(&mut flat.finishes);
+    push_textures(&mut flat, &scene.materials, eye);
     push_lights(&mut flat, &scene.lights, eye);
     push_lamps(&mut flat, &scene.lights, eye);
     if let Some(environment) = &scene.environment {
@@ -114,6 +120,16 @@ fn camera_axes(camera: &Camera) -> [DVec3; 3] {
     let forward = (camera.target - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
     [right, right.cross(forward), forward]
+}
+
+fn push_textures<R>(flat: &mut Flat<R>, materials: &[Material], eye: DVec3) {
+    let mut textures = Textures::default();
+    for (material, finish) in materials.iter().zip(&mut flat.finishes) {
+        finish.texture = textures.add(material, eye).unwrap_or(NONE);
+        finish.is_cutout &= u32::from(finish.texture != NONE);
+    }
+    flat.textures = textures.records;
+    flat.texels = Arc::new(textures.texels);
 }
 
 /// The camera's axes, scaled so that they reach the picture's edges at distance

@@ -13,8 +13,9 @@ mod samples;
 pub use leaf::{leaf_of, leaf_parts};
 pub use record::Record;
 pub use samples::{
-    DISK_LAMP, Environment, FinishRecord, LampRecord, LampTable, LensRecord, MotionRecord, NONE,
-    ONLY_LIGHTS, ONLY_SURFACES, RECTANGLE_LAMP, SPHERE_LAMP, SamplingRecord, Tally,
+    DISK_LAMP, Environment, FinishRecord, FogRecord, LampRecord, LampTable, LensRecord,
+    MotionRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, RECTANGLE_LAMP, SPHERE_LAMP, SamplingRecord,
+    Tally, TextureRecord,
 };
 
 use bytemuck::{Pod, Zeroable};

@@ -98,9 +98,6 @@ const PATHS_OF_LIGHT: &[Source] = &[
     file!("tally.wgsl"),
     file!("frame.wgsl"),
     file!("circle.wgsl"),
-    file!("cutouts_off.wgsl"),
-    file!("textures_off.wgsl"),
-    file!("fog_off.wgsl"),
 ];
 
 /// Rays of a list that end where they meet something.

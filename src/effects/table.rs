@@ -16,6 +16,10 @@ pub const EFFECTS: &[Effect] = &[
         ],
         &[file!("spheres_off.wgsl")],
     )
+    .along_paths(
+        &[file!("sphere_coordinates_on.wgsl"), file!("angles.wgsl")],
+        &[file!("sphere_coordinates_off.wgsl")],
+    )
     .caused_by(cause::spheres),
     Effect::new(
         "near spheres",
@@ -64,6 +68,10 @@ pub const EFFECTS: &[Effect] = &[
             file!("triangles_on.wgsl"),
         ],
         &[file!("triangles_off.wgsl")],
+    )
+    .along_paths(
+        &[file!("triangle_coordinates_on.wgsl")],
+        &[file!("triangle_coordinates_off.wgsl")],
     )
     .caused_by(cause::triangles),
     Effect::new(
@@ -274,4 +282,32 @@ pub const EFFECTS: &[Effect] = &[
     .binding(&["motion"])
     .caused_by(cause::motion_blur)
     .removed_by(removal::motion_blur),
+    Effect::new(
+        "fog",
+        Part::Path,
+        |counts| counts.fog,
+        &[file!("fog_on.wgsl"), file!("exponential.wgsl")],
+        &[file!("fog_off.wgsl")],
+    )
+    .binding(&["fog"])
+    .caused_by(cause::fog)
+    .removed_by(removal::fog),
+    Effect::new(
+        "textures",
+        Part::Path,
+        |counts| counts.textures > 0,
+        &[file!("textures_on.wgsl")],
+        &[file!("textures_off.wgsl")],
+    )
+    .caused_by(cause::textures)
+    .removed_by(removal::textures),
+    Effect::new(
+        "alpha cut-outs",
+        Part::Path,
+        |counts| counts.cutouts > 0,
+        &[file!("cutouts_on.wgsl"), file!("textures_on.wgsl")],
+        &[file!("cutouts_off.wgsl")],
+    )
+    .caused_by(cause::cutouts)
+    .removed_by(removal::cutouts),
 ];

@@ -2,7 +2,7 @@
 //! and how paths are sampled.
 
 use super::color;
-use crate::layout::{FinishRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord};
+use crate::layout::{FinishRecord, FogRecord, NONE, ONLY_LIGHTS, ONLY_SURFACES, SamplingRecord};
 use crate::scene::{Material, Scene, Strategy};
 
 /// How a material answers light besides its albedo.
@@ -53,4 +53,12 @@ pub(super) fn sampling(scene: &Scene) -> SamplingRecord {
         occlusion: scene.occlusion as f32,
         ..SamplingRecord::default()
     }
+}
+
+/// The fog, or one that takes nothing out of light.
+pub(super) fn fog(scene: &Scene) -> FogRecord {
+    scene.fog.map_or_else(FogRecord::default, |fog| FogRecord {
+        albedo: color(fog.albedo),
+        density: fog.density as f32,
+    })
 }

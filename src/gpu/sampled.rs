@@ -81,6 +81,7 @@ impl<'a, R: Real> Sampled<'a, R> {
                 "motion",
                 gpu.upload_uniform("motion", bytes_of(&loaded.motion))?,
             ),
+            ("fog", gpu.upload_uniform("fog", bytes_of(&flat.fog))?),
         ]);
         let groups = loaded.bind(gpu, &frame)?;
         Ok(Self {

@@ -5,7 +5,7 @@ use bytemuck::{Pod, cast_slice};
 use crate::effects::EffectSet;
 use crate::flat::Flat;
 use crate::kernel::real::Real;
-use crate::layout::{Environment, LampTable, MotionRecord, QUAD, SamplingRecord, Tables};
+use crate::layout::{Environment, LampTable, MotionRecord, NONE, QUAD, SamplingRecord, Tables};
 use crate::tier::parts_of;
 
 /// Four words.
@@ -64,6 +64,13 @@ impl PackedScene {
         SamplingRecord {
             finishes: push_records(quads, &flat.finishes),
             energies: push_words(quads, cast_slice(&flat.energies)),
+            vertex_uvs: if flat.vertex_uvs.is_empty() {
+                NONE
+            } else {
+                push_words(quads, cast_slice(&flat.vertex_uvs))
+            },
+            textures: push_records(quads, &flat.textures),
+            texels: push_records(quads, &flat.texels),
             ..flat.sampling
         }
     }

@@ -28,7 +28,7 @@ use super::sources::{arriving_from, count_sources};
 use super::textures::textured;
 use super::trace::surface_of;
 use super::tracer::Tracer;
-use super::vector::{Vec3, taxicab_length, unit_vector, vec3};
+use super::vector::{Vec3, taxicab_length, unit_vector, vec3, vector_length};
 use crate::flat::Flat;
 use crate::layout::{NO_HIT, Pixel};
 
@@ -54,6 +54,8 @@ pub struct Path<R> {
     pub bounces: u32,
     /// How often it may still be mirrored or refracted.
     pub reflections: u32,
+    /// How far the path had come on this leg where the ray begins: through holes.
+    pub passed: f32,
 }
 
 /// How a place looks from where it is seen.
@@ -85,7 +87,22 @@ pub fn path_from_camera<R: Real>(flat: &Flat<R>, ray: Ray<R>, numbers: Numbers) 
         leg: 0,
         bounces: flat.sampling.bounces,
         reflections: flat.sampling.reflections,
+        passed: 0.0,
     }
+}
+
+/// Where the path's leg begins: its ray does, unless it has come through holes.
+pub fn leg_start<R: Real>(path: &Path<R>) -> Vec3<f32> {
+    let origin = path.ray.origin.to_f32();
+    if path.passed == 0.0 {
+        return origin;
+    }
+    origin - unit_vector(path.ray.direction.to_f32()) * path.passed
+}
+
+/// How far it is from there to the hit.
+pub fn way_to_hit<R: Real>(path: &Path<R>, hit: Hit<R>) -> f32 {
+    (hit.t * vector_length(path.ray.direction)).to_f32() + path.passed
 }
 
 /// Adds light that is found at the ray's far end.
@@ -215,7 +232,7 @@ pub fn follow<R: Real>(
         path.leg = leg;
         let hit = seen_hit(flat, tracer, &mut path);
         if leg == 0 {
-            pixel = layers_of(flat, path.ray, hit);
+            pixel = layers_of(flat, &path, hit);
         }
         if !meet(flat, tracer, &mut path, hit) || !survives(flat, &mut path) {
             break;

@@ -76,7 +76,7 @@ pub fn sphere_is_left<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> bool
     if hit.id >= flat.first_plane() {
         return false;
     }
-    let sphere = &flat.spheres[hit.row as usize];
+    let sphere = &sphere_at(flat, hit.row, hit.time);
     let normal = match R::FORMULAS {
         Formulas::Textbook => sphere_textbook::sphere_normal(ray, sphere, hit.t),
         _ => sphere::sphere_normal(ray, sphere, hit.t),

@@ -106,7 +106,7 @@ pub fn triangle_is_left<R: Real>(flat: &Flat<R>, ray: Ray<R>, hit: Hit<R>) -> bo
     if hit.id < flat.first_triangle() {
         return false;
     }
-    let triangle = triangle_of(flat, flat.triangles[hit.row as usize]);
+    let triangle = triangle_at(flat, flat.triangles[hit.row as usize], hit.time);
     let normal = match R::FORMULAS {
         Formulas::Textbook => triangle_textbook::triangle_normal(&triangle),
         _ => triangle::triangle_normal(&triangle),

@@ -40,9 +40,9 @@ records! {
         occlusion: f32,
         /// Four quads each, one to a material.
         finishes: u32,
-        /// One quad to a vertex.
+        /// Two words to a vertex; [`NONE`] where no vertex has any.
         vertex_uvs: u32,
-        /// Two quads each.
+        /// Three quads each.
         textures: u32,
         /// One quad each.
         texels: u32,
@@ -178,6 +178,32 @@ records! {
         rows: u32,
         /// Unused.
         padding: [u32; 2],
+    }
+
+    /// Fog that is the same everywhere.
+    FogRecord {
+        /// The part of what it takes out of light that it scatters.
+        albedo: [f32; 3],
+        /// What it takes out of a ray in a unit of length; 0 where there is none.
+        density: f32,
+    }
+
+    /// What a texture repeats, and where.
+    TextureRecord {
+        /// Where the camera is in a repeat of the world.
+        offset: [f32; 3],
+        /// The length of a repeat of the world.
+        size: f32,
+        /// A checker's other colour.
+        color: [f32; 3],
+        /// An image's first texel.
+        first: u32,
+        /// How often it repeats over a shape's own coordinates, across and upward.
+        repeat: [f32; 2],
+        /// Texels across; 0 of a checker.
+        width: u32,
+        /// Texels down.
+        height: u32,
     }
 }
 
