@@ -24,7 +24,7 @@ fn triangle_coordinates(ray: Ray, hit: Hit, coordinates: ptr<function, vec2<f32>
     if all(a == none) && all(b == none) && all(c == none) {
         return false;
     }
-    let triangle = triangle_of(corners);
+    let triangle = triangle_at(corners);
     let parts = vec3<f32>(triangle_weights(ray, triangle));
     *coordinates = (a * parts.x + b * parts.y) + c * parts.z;
     return true;

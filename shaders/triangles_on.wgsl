@@ -51,6 +51,6 @@ fn triangle_is_left(ray: Ray, hit: Hit) -> bool {
     if hit.id < tables.first_triangle {
         return false;
     }
-    let normal = triangle_normal(triangle_of(corners_at(hit.row)));
+    let normal = triangle_normal(triangle_at(corners_at(hit.row)));
     return dot_product(normal, ray.direction) > 0.0;
 }

@@ -9,14 +9,22 @@ use rayproof::scene::{
     Shape, Sky, Texels, Texture, Transform,
 };
 
-/// The index of the material that effects change.
-const CHANGED: usize = 1;
+/// The materials that effects change, each with a sphere of its own.
+const MIRROR: usize = 1;
+const CLEAR: usize = 2;
+const COLORED: usize = 3;
+const SHINING: usize = 4;
 
-/// A floor, a sphere and a teapot in two lights, from which everything is seen that an effect
+/// A floor, four spheres and a teapot in two lights, from which everything is seen that an effect
 /// does; it calls for one ray a pixel.
 pub fn plain_scene() -> Scene {
-    let at = |x: f64, y: f64, z: f64| Transform {
-        linear: DMat3::from_diagonal(DVec3::splat(0.8)),
+    let colored = |name: &str, albedo| Material {
+        name: name.into(),
+        albedo,
+        ..Material::default()
+    };
+    let at = |x: f64, y: f64, z: f64, size: f64| Transform {
+        linear: DMat3::from_diagonal(DVec3::splat(size)),
         translate: DVec3::new(x, y, z),
     };
     let shape = |geometry, transform, material| Shape {
@@ -33,7 +41,7 @@ pub fn plain_scene() -> Scene {
         point: DVec3::new(0.0, -0.8, 0.0),
         normal: DVec3::Y,
     };
-    let knot = Geometry::Mesh(Arc::new(build(Builtin::Teapot, 400)));
+    let teapot = Geometry::Mesh(Arc::new(build(Builtin::Teapot, 400)));
     let mut scene = Scene {
         background: Background {
             from: [0.2, 0.3, 0.5],
@@ -57,16 +65,18 @@ pub fn plain_scene() -> Scene {
         ],
         materials: vec![
             Material::default(),
-            Material {
-                name: "changed".into(),
-                albedo: [0.7, 0.5, 0.3],
-                ..Material::default()
-            },
+            colored("mirror", [0.7, 0.5, 0.3]),
+            colored("clear", [0.3, 0.5, 0.7]),
+            colored("colored", [0.9, 0.9, 0.6]),
+            colored("shining", [0.5, 0.7, 0.4]),
         ],
         shapes: vec![
             shape(floor, Transform::default(), 0),
-            shape(sphere, at(-0.9, 0.0, -0.3), CHANGED),
-            shape(knot, at(0.9, -0.6, 0.2), 0),
+            shape(teapot, at(0.9, -0.6, 0.2, 0.8), 0),
+            shape(sphere.clone(), at(-0.9, 0.0, -0.4, 0.8), MIRROR),
+            shape(sphere.clone(), at(-0.5, -0.4, 0.9, 0.4), CLEAR),
+            shape(sphere.clone(), at(0.3, -0.3, 0.8, 0.4), COLORED),
+            shape(sphere, at(0.5, 0.6, -0.6, 0.4), SHINING),
         ],
         ..Scene::default()
     };
@@ -78,7 +88,6 @@ pub fn plain_scene() -> Scene {
 
 /// Has the scene call for an effect of paths, and for no other one if that can be.
 pub fn call_for(name: &str, scene: &mut Scene) {
-    let material = &mut scene.materials[CHANGED];
     match name {
         "hard shadows" => {
             for light in &mut scene.lights {
@@ -105,22 +114,22 @@ pub fn call_for(name: &str, scene: &mut Scene) {
             },
         ]),
         "mirrors" => {
-            material.mirror = [0.6, 0.5, 0.4];
+            scene.materials[MIRROR].mirror = [0.6, 0.5, 0.4];
         }
         "glossy reflection" => {
             scene.materials[0].mirror = [0.2; 3];
             scene.materials[0].roughness = 0.3;
         }
         "refraction" => {
-            material.ior = Some(1.5);
-            material.absorption = [0.1, 0.4, 0.8];
+            scene.materials[CLEAR].ior = Some(1.5);
+            scene.materials[CLEAR].absorption = [0.1, 0.4, 0.8];
         }
-        "textures" => material.texture = Some(image_texture()),
+        "textures" => scene.materials[COLORED].texture = Some(image_texture()),
         "alpha cut-outs" => {
-            material.texture = Some(image_texture());
-            material.cutout = true;
+            scene.materials[COLORED].texture = Some(image_texture());
+            scene.materials[COLORED].cutout = true;
         }
-        "emission" => material.emission = [0.5, 0.2, 0.1],
+        "emission" => scene.materials[SHINING].emission = [0.5, 0.2, 0.1],
         "environment" => {
             scene.environment = Some(Environment {
                 sky: Sky::Image(image()),
