@@ -213,7 +213,6 @@ fn a_clear_ball_loses_nothing() {
     // time F: at most this, where F is 63/64.
     let within = f64::from(reflections - 1);
     let lost = (within / (within + 1.0)).powf(within) / (within + 1.0);
-    assert!(mean.color[0] <= 1.0, "{}", mean.color[0]);
     assert!(
         mean.color[0] > 1.0 - lost - FAR * mean.error,
         "{}",
@@ -221,7 +220,10 @@ fn a_clear_ball_loses_nothing() {
     );
     for color in &mean.frame.color {
         // Whole samples.
-        assert_eq!((color[0] * 64.0).fract(), 0.0, "{color:?}");
+        assert!(
+            color[0] <= 1.0 && (color[0] * 64.0).fract() == 0.0,
+            "{color:?}"
+        );
     }
     // The control: who goes in does not come out.
     assert!(seen(1).color[0] < 0.7);

@@ -247,9 +247,9 @@ fn all_sorts() -> Scene {
         ],
         shapes: vec![
             floor,
-            ball(-0.9, 0.6, 1),
-            ball(0.5, 0.9, 2),
-            ball(0.9, -0.4, 3),
+            ball(-1.0, 0.7, 1),
+            ball(0.3, 1.0, 2),
+            ball(1.5, 0.8, 3),
         ],
         lights: vec![
             Light::Point {
