@@ -6,13 +6,14 @@
 //
 // Fresnel's equations: Born, Wolf, "Principles of Optics", 7th edition, 1999, 1.5.2.
 fn thrown_back(cosine: f32, ratio: f32) -> f32 {
-    let sine_squared = (ratio * ratio) * (1.0 - cosine * cosine);
-    // From here on nothing goes through; so a divisor below is never 0.
-    if sine_squared >= 1.0 {
+    let here = ratio * cosine;
+    // Of the cosine beyond, by a sum: 1 less the square of a sine would lose a small cosine.
+    let square = (1.0 - ratio) * (1.0 + ratio) + here * here;
+    // Nothing goes through; so a divisor below is never 0.
+    if square <= 0.0 {
         return 1.0;
     }
-    let beyond = square_root_f32(1.0 - sine_squared);
-    let here = ratio * cosine;
+    let beyond = square_root_f32(square);
     let across = divide_f32(here - beyond, here + beyond);
     let along = divide_f32(cosine - ratio * beyond, cosine + ratio * beyond);
     return (across * across + along * along) * 0.5;

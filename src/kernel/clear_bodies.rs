@@ -112,6 +112,3 @@ pub fn pass_clear<R: Real>(
     }
     send_on(path, surface, direction, vec3(1.0, 1.0, 1.0))
 }
-
-#[cfg(test)]
-mod tests;

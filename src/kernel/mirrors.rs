@@ -73,6 +73,3 @@ pub fn mirror_light<R: Real>(
     let left = divided(look.reflectance, 1.0 - look.evenly);
     send_on(path, surface, direction, left)
 }
-
-#[cfg(test)]
-mod tests;

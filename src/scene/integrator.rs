@@ -5,10 +5,10 @@
 pub struct Integrator {
     /// Paths through a pixel; their mean is its colour.
     pub samples: u32,
-    /// How often light may be scattered by matt or glossy surfaces, or by fog, on its way
-    /// from where a lamp lights it: 0 for direct light alone.
+    /// How often light may be scattered by matt surfaces, or by fog, on its way from where a
+    /// lamp lights it: 0 for direct light alone.
     pub bounces: u32,
-    /// How many mirrors and clear surfaces a path may meet beside those.
+    /// How many mirrors, smooth and rough, and clear surfaces a path may meet beside those.
     pub reflections: u32,
     /// What the random numbers are drawn from.
     pub seed: u32,

@@ -14,7 +14,8 @@ pub struct Material {
     /// channel; seen askew it is more (Schlick). What is left meets the albedo.
     pub mirror: Rgb,
     /// How rough the mirror is: 0 is smooth, 1 all but matt. Its square is the width of the
-    /// distribution of Trowbridge and Reitz (GGX).
+    /// distribution of Trowbridge and Reitz (GGX). One that is not smooth counts as 1/32 at
+    /// least.
     pub roughness: f64,
     /// Index of refraction of a clear body; none where the body is not clear. Nothing is
     /// scattered then.

@@ -3,7 +3,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod clear_bodies;
 mod depth_of_field;
 mod lamps;
+mod mirrors;
 mod motion_blur;
 mod scenes;
+mod seen;
