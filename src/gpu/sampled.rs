@@ -71,7 +71,10 @@ impl<'a, R: Real> Sampled<'a, R> {
             ("tallies", tallies.buffer.clone()),
             ("sampling", gpu.upload_uniform("sampling", sampling)?),
             ("lamps", gpu.upload_uniform("lamps", lamps)?),
-            ("environment", gpu.upload_uniform("environment", environment)?),
+            (
+                "environment",
+                gpu.upload_uniform("environment", environment)?,
+            ),
         ]);
         let groups = loaded.bind(gpu, &frame)?;
         Ok(Self {

@@ -173,4 +173,3 @@ pub fn weight_of_lamp<R: Real>(
     let angle = angle_of_lamp(record, place, surface.position - place);
     found_weight(flat, path.density, density_of_angle(angle))
 }
-

@@ -131,7 +131,11 @@ fn sky_density<R>(flat: &Flat<R>, direction: Vec3<f32>) -> f32 {
     let row = if down < 0.0 { 0 } else { down as u32 };
     let row = if row < ROWS { row } else { ROWS - 1 };
     let column = across as u32;
-    let column = if column < COLUMNS { column } else { COLUMNS - 1 };
+    let column = if column < COLUMNS {
+        column
+    } else {
+        COLUMNS - 1
+    };
     let of_row = chance_of(flat, 0, ROWS, row);
     let of_cell = chance_of(flat, ROWS + row * COLUMNS, COLUMNS, column);
     (of_row * of_cell) * CELL_DENSITY
@@ -174,4 +178,3 @@ pub fn seen_sky<R: Real>(flat: &Flat<R>, path: &Path<R>) -> Vec3<f32> {
     }
     radiance * found_weight(flat, path.density, sky_density(flat, unit))
 }
-

@@ -129,7 +129,10 @@ fn candidate(scene: &Scene, ids: &[Range<u32>], story: &Story<'_>, id: u32) -> C
         shape: shape.map(|_| place),
         lamp: place.checked_sub(scene.shapes.len()),
         triangle: is_mesh.then(|| id - ids[place].start),
-        material: scene.materials.get(material).map(|found| found.name.clone()),
+        material: scene
+            .materials
+            .get(material)
+            .map(|found| found.name.clone()),
         t: exact.map(|exact| exact.t),
         margin: finite(nearness.slack * ROUNDINGS),
         meetings: ONE_PASS.into_iter().map(meeting).collect(),

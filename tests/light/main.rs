@@ -1,4 +1,7 @@
 //! Light by many samples, effect by effect.
 
 mod lamps;
+mod sampled;
 mod scenes;
+mod sky;
+mod strategies;
