@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DMat3, DVec3};
 use rayproof::flat::Flat;
-use rayproof::flatten::{flatten, flatten_with_ids};
+use rayproof::flatten::flatten_with_ids;
 use rayproof::kernel::camera::Ray;
 use rayproof::kernel::hit::{Surface, no_hit};
 use rayproof::kernel::lamps::weight_of_lamp;
@@ -14,39 +14,15 @@ use rayproof::kernel::vector::Vec3;
 use rayproof::layout::NO_HIT;
 use rayproof::random::Numbers;
 use rayproof::render::Backend;
-use rayproof::scene::{AreaForm, Falloff, Geometry, Light, Scene};
+use rayproof::scene::{AreaForm, Falloff, Light};
 
-use crate::sampled::{Mean, arriving, path, seen, shadowed, single, surface};
-use crate::scenes::{lamp, picture, room, shape, sphere};
+use crate::sampled::{Mean, arriving, path, seen, single, surface};
+use crate::scenes::{disk, lamp, picture, rectangle, room, sphere, under};
 
 const SAMPLES: u32 = 1 << 14;
 
 /// Roundings of a sample's light: some forty operations, none of which cancels.
 const ROUNDINGS: f64 = 64.0;
-
-fn under(light: Light) -> Flat<f32> {
-    flatten(&Scene {
-        lights: vec![light],
-        ..Scene::default()
-    })
-}
-
-fn disk(center: DVec3, normal: DVec3, radius: f64) -> AreaForm {
-    AreaForm::Disk {
-        center,
-        normal,
-        radius,
-    }
-}
-
-/// A rectangle around a middle, its front towards `right` x `up`.
-fn rectangle(center: DVec3, right: DVec3, up: DVec3) -> AreaForm {
-    AreaForm::Rectangle {
-        corner: center - (right + up) / 2.0,
-        right,
-        up,
-    }
-}
 
 #[test]
 fn both_sides_have_the_same_bits() {
@@ -252,80 +228,6 @@ fn backs_are_dark() {
         // The control: from the other side.
         let front = found(&flat, place + DVec3::X * 8.0, DVec3::NEG_X, 0.0);
         assert_eq!(front, Some(1.0));
-    }
-}
-
-/// The ray that looks for what is in between ends before the lamp itself, from grazing
-/// angles and over large distances too.
-#[test]
-fn a_lamp_does_not_shadow_itself() {
-    let (mut controls, mut lit) = (0, 0);
-    let mut random = Numbers(4);
-    for round in 0..3000 {
-        let size = 10f64.powf(random.between(-3.0, 3.0));
-        let center = random.direction() * size * 10f64.powf(random.between(0.5, 3.0));
-        let form = match round % 3 {
-            0 => sphere(center, size),
-            1 => disk(center, random.direction(), size),
-            _ => {
-                let right = random.direction();
-                rectangle(center, right * size, right.cross(random.direction()) * size)
-            }
-        };
-        let flat = under(lamp(form, [1.0; 3]));
-        let place = center + random.direction() * size * 10f64.powf(random.between(0.1, 3.0));
-        let at = surface(place, center - place);
-        for number in 0..8 {
-            let (mut arriving, _) = arriving(&flat, &at, number);
-            if arriving.density > 0.0 {
-                lit += 1;
-                assert!(!shadowed(&flat, &at, &arriving), "{form:?} from {place}");
-                // The control: all the way to the point.
-                arriving.goal = at.position + arriving.towards;
-                controls += u32::from(shadowed(&flat, &at, &arriving));
-            }
-        }
-    }
-    assert!(lit > 6000, "{lit}");
-    assert!(controls > lit / 10, "{controls} of {lit}");
-}
-
-/// A straight edge under a lamp: where all of it is seen, where none, and as much as there
-/// is in between.
-#[test]
-fn a_penumbra_lies_where_it_should() {
-    let (half, height, edge) = (0.5, 3.0, 1.0);
-    let corner = |x: f64, z: f64| DVec3::new(x, edge, z);
-    let vertices = [corner(0.0, -100.0), corner(0.0, 100.0), corner(-200.0, 0.0)];
-    let form = rectangle(DVec3::Y * height, DVec3::X * 2.0 * half, DVec3::Z);
-    let mut scene = Scene {
-        lights: vec![lamp(form, [1.0; 3])],
-        shapes: vec![shape(Geometry::Triangle { vertices }, 0)],
-        materials: vec![crate::scenes::matt([0.5; 3])],
-        ..Scene::default()
-    };
-    scene.camera.eye = DVec3::new(0.0, 0.5, 4.0);
-    let flat = flatten::<f32>(&scene);
-    // By similar triangles.
-    let outer = half * edge / (height - edge);
-    let lit = |x: f64| {
-        let at = surface(DVec3::X * x - scene.camera.eye, DVec3::Y);
-        let samples = (0..4096).map(|number| {
-            let (arriving, _) = arriving(&flat, &at, number);
-            assert!(arriving.density > 0.0);
-            f64::from(u8::from(!shadowed(&flat, &at, &arriving)))
-        });
-        Mean::of(samples)
-    };
-    assert_eq!(lit(outer * 1.001).value, 1.0);
-    assert_eq!(lit(-outer * 1.001).value, 0.0);
-    for part in [-0.9, -0.5, 0.0, 0.3, 0.95] {
-        let found = lit(outer * part);
-        assert!(
-            found.fits((1.0 + part) / 2.0, ROUNDINGS),
-            "{part}: {found:?}"
-        );
-        assert!(!found.fits((1.2 + part) / 2.0, ROUNDINGS));
     }
 }
 

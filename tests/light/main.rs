@@ -4,4 +4,5 @@ mod lamps;
 mod sampled;
 mod scenes;
 mod sky;
+mod soft_shadows;
 mod strategies;
