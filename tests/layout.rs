@@ -6,12 +6,14 @@ use rayproof::kernel::aabb::HUGE;
 use rayproof::kernel::cone::{CONE_SLACK, WIDE};
 use rayproof::kernel::doubt::{ERROR, WIDE_INTERVAL};
 use rayproof::kernel::hit::GIVEN_UP;
+use rayproof::kernel::lamps::{LEAST_ANGLE, PER_PI, WHOLE_TURN};
 use rayproof::kernel::offset::{FIXED_OFFSET, OFFSET};
 use rayproof::kernel::own_box::{PADDING, SLACK};
 use rayproof::kernel::path::{LARGEST, MIRRORED, REFRACTED, TO, TOWARDS};
 use rayproof::kernel::plane_bounded::PLANE_ERROR;
 use rayproof::kernel::plane_textbook::PARALLEL;
 use rayproof::kernel::screen::WORD;
+use rayproof::kernel::sky::{CELL_DENSITY, COLUMNS, ROWS, SKY_PER_PI};
 use rayproof::kernel::sphere_bounded::{NEAR_ERROR, RADIUS_ERROR, SQUARE_ERROR};
 use rayproof::kernel::spheres::NEAR_REACH;
 use rayproof::kernel::tree::{MOST_VISITS, STACK};
@@ -312,4 +314,39 @@ fn constants_are_the_hosts() {
         Some(STACK as u32)
     );
     assert_eq!(constant(tree, "STAK"), None);
+}
+
+/// Lamps that have a size, and environments: only samples of a picture read them.
+#[test]
+fn lights_of_paths_lie_as_the_shaders_read_them() {
+    let device = Device {
+        entry: Entry::Samples,
+        ..NATIVE
+    };
+    let program = Program::build(&select_files(|_| true, device)).unwrap();
+    assert_eq!(mismatch::<LampRecord>(&program), None);
+    assert_eq!(mismatch::<LampTable>(&program), None);
+    assert_eq!(mismatch::<Environment>(&program), None);
+    let lamps = include_str!("../shaders/lamps_on.wgsl");
+    let sky = include_str!("../shaders/sky_on.wgsl");
+    for (shader, name, value) in [
+        (lamps, "SPHERE_LAMP", SPHERE_LAMP),
+        (lamps, "DISK_LAMP", DISK_LAMP),
+        (lamps, "NO_LAMP", NONE),
+        (sky, "COLUMNS", COLUMNS),
+        (sky, "ROWS", ROWS),
+    ] {
+        assert_eq!(constant(shader, name), Some(value), "{name}");
+    }
+    for (shader, name, value) in [
+        (lamps, "WHOLE_TURN", WHOLE_TURN),
+        (lamps, "PER_PI", PER_PI),
+        (lamps, "LEAST_ANGLE", LEAST_ANGLE),
+        (sky, "CELL_DENSITY", CELL_DENSITY),
+        (sky, "SKY_PER_PI", SKY_PER_PI),
+    ] {
+        assert_eq!(number(shader, name), Some(value), "{name}");
+    }
+    let cells = f64::from(COLUMNS * ROWS) / (4.0 * std::f64::consts::PI);
+    assert_eq!(CELL_DENSITY, cells as f32);
 }

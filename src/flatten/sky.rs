@@ -105,7 +105,10 @@ fn image_weights(image: &Texels) -> Vec<f64> {
         })
         .collect();
     let mut weights = vec![0.0; (COLUMNS * ROWS) as usize];
-    for (y, texels) in image.texels.chunks(width).enumerate() {
+    // Beyond the poles light goes on as it is there.
+    for y in -1..=height as i64 {
+        let first = y.clamp(0, height as i64 - 1) as usize * width;
+        let texels = &image.texels[first..first + width];
         let mut line = vec![0.0; COLUMNS as usize];
         for (texel, columns) in texels.iter().zip(&columns) {
             let light = luminance([texel[0], texel[1], texel[2]].map(f64::from));
@@ -113,7 +116,6 @@ fn image_weights(image: &Texels) -> Vec<f64> {
                 line[column.rem_euclid(i64::from(COLUMNS)) as usize] += light * part;
             }
         }
-        // Beyond the poles light goes on as it is there.
         let edges = [y as f64 - 0.5, y as f64 + 1.5].map(|edge| {
             let turn = (edge / height as f64).clamp(0.0, 1.0);
             let height = (std::f64::consts::PI * turn).cos();
@@ -169,3 +171,6 @@ fn partial_sums(weights: &[f64]) -> Vec<f32> {
     }
     sums
 }
+
+#[cfg(test)]
+mod tests;

@@ -48,7 +48,7 @@ pub enum Sky {
     /// A blend of two colours by height, or one colour.
     Gradient(Background),
     /// An image of all directions: its left edge and right edge meet behind, in -x, its
-    /// middle is x, and its upper edge is +y.
+    /// middle is x, with z to the right of it, and its upper edge is +y.
     Image(Arc<Texels>),
 }
 

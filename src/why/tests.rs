@@ -252,3 +252,23 @@ fn a_pixel_outside_is_refused() {
     }
     assert!(explain(&scene, Bounds::Tree, 8, 8, &Unwatched).is_ok());
 }
+
+#[test]
+fn a_lamp_is_told_from_a_shape() {
+    let mut scene = scene(vec![wall(-8.0)]);
+    scene.lights = vec![crate::scene::Light::Area {
+        form: crate::scene::AreaForm::Sphere {
+            center: DVec3::new(0.0, 0.0, -4.0),
+            radius: 1.0,
+        },
+        radiance: [1.0; 3],
+    }];
+    let why = middle(&scene, Bounds::Tree);
+    let found: Vec<_> = why
+        .candidates
+        .iter()
+        .map(|c| (c.id, c.shape, c.lamp, c.material.as_deref()))
+        .collect();
+    let expected = [(0, None, Some(0), None), (1, Some(0), None, Some("clay"))];
+    assert_eq!(found, expected);
+}

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use rayproof::flat::Flat;
+use rayproof::flatten::flatten;
 use rayproof::render::{Accuracy, Backend, render};
 use rayproof::scene::{
     AreaForm, Background, Environment, Geometry, Image, Light, Material, Rgb, Scene, Shape, Sky,
@@ -18,6 +20,32 @@ pub fn lamp(form: AreaForm, radiance: Rgb) -> Light {
 /// A spherical lamp.
 pub fn sphere(center: DVec3, radius: f64) -> AreaForm {
     AreaForm::Sphere { center, radius }
+}
+
+/// What one light lights.
+pub fn under(light: Light) -> Flat<f32> {
+    flatten(&Scene {
+        lights: vec![light],
+        ..Scene::default()
+    })
+}
+
+/// A lamp that is a disk.
+pub fn disk(center: DVec3, normal: DVec3, radius: f64) -> AreaForm {
+    AreaForm::Disk {
+        center,
+        normal,
+        radius,
+    }
+}
+
+/// A rectangle around a middle, its front towards `right` x `up`.
+pub fn rectangle(center: DVec3, right: DVec3, up: DVec3) -> AreaForm {
+    AreaForm::Rectangle {
+        corner: center - (right + up) / 2.0,
+        right,
+        up,
+    }
 }
 
 /// An environment of one colour or two.
