@@ -11,7 +11,7 @@ use rayproof::{Accuracy, Backend, Frame, Scene, Unwatched};
 
 use crate::common::{assert_same_bits, gpu, white_scene};
 
-const SAMPLES: u32 = 64;
+const SAMPLES: u32 = 256;
 
 fn shape(geometry: Geometry, velocity: DVec3) -> Shape {
     Shape {
@@ -29,7 +29,7 @@ fn on(backend: &Backend, scene: &Scene, settings: impl Into<Settings>) -> Frame 
 }
 
 /// Every kind of shape on its way, and the camera, in light that throws shadows.
-fn all_that_moves() -> Scene {
+pub fn all_that_moves() -> Scene {
     let mesh = |kind, velocity| Shape {
         transform: Transform {
             linear: DMat3::from_diagonal(DVec3::splat(0.8)),
