@@ -13,8 +13,6 @@ pub mod device;
 mod divide_tests;
 pub mod exact;
 pub mod fetch_probe;
-#[cfg(test)]
-mod forced_tests;
 mod kernel;
 mod loaded;
 mod memory;

@@ -11,7 +11,6 @@ use super::kernel::Kernel;
 use super::loaded::Loaded;
 use super::pace::DISPATCH_TIME;
 use super::portions::Portions;
-use super::program::Source;
 use super::stage::uniforms;
 use super::tile::{Tile, WORKGROUP};
 use crate::effects::Entry;
@@ -51,18 +50,8 @@ impl<'a, R: Real> Sampled<'a, R> {
     /// [`Error::Limit`] when the scene does not fit the device, or a path meets more
     /// primitives than a dispatch may test; [`Error::Shader`] when the driver refuses a shader.
     pub fn new(gpu: &'a Gpu, flat: &'a Flat<R>, portions: Portions) -> Result<Self> {
-        Self::changed(gpu, flat, portions, &|_| {})
-    }
-
-    /// As [`Sampled::new`], with shader files that `change` may change first.
-    pub(super) fn changed(
-        gpu: &'a Gpu,
-        flat: &'a Flat<R>,
-        portions: Portions,
-        change: &dyn Fn(&mut Vec<Source>),
-    ) -> Result<Self> {
         check_tests(flat, portions)?;
-        let loaded = Loaded::new(gpu, flat, Entry::Samples, portions, change)?;
+        let loaded = Loaded::new(gpu, flat, Entry::Samples, portions, &|_| {})?;
         let bytes_of_pixel = size_of::<Pixel>() as u64;
         let limit = gpu.limits.max_storage_buffer_binding_size / bytes_of_pixel;
         let most = limit.min(MOST_PIXELS) as u32;

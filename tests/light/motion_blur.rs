@@ -29,7 +29,7 @@ fn on(backend: &Backend, scene: &Scene, settings: impl Into<Settings>) -> Frame 
 }
 
 /// Every kind of shape on its way, and the camera, in light that throws shadows.
-pub fn all_that_moves() -> Scene {
+fn all_that_moves() -> Scene {
     let mesh = |kind, velocity| Shape {
         transform: Transform {
             linear: DMat3::from_diagonal(DVec3::splat(0.8)),
