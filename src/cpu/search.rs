@@ -6,7 +6,7 @@ use super::wide::{Node, WIDTH, Wide};
 use crate::flat::{Flat, Kind};
 use crate::kernel::aabb::Slabs;
 use crate::kernel::doubt::{keep_nearer, limit_of, may_be_closest};
-use crate::kernel::hit::{Hit, no_hit};
+use crate::kernel::hit::{Hit, NO_TILE, no_hit};
 use crate::kernel::planes::closest_plane;
 use crate::kernel::probe::Probe;
 use crate::kernel::real::{Real, constant};
@@ -99,6 +99,7 @@ impl<'a, R: Real> Search<'a, R> {
     pub fn any(&mut self, probe: Probe<R>, limit: R) -> bool {
         let mut hit = no_hit();
         hit.t = limit;
+        hit.tile = NO_TILE;
         hit.time = self.time;
         match self.wide {
             None if !self.flat.pairs.is_empty() => {

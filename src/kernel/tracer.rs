@@ -1,6 +1,6 @@
 //! What finds hits for a path of light: the kernel by itself, or by way of a tree of its own.
 
-use super::hit::{Hit, no_hit};
+use super::hit::{Hit, NO_TILE, no_hit};
 use super::probe::Probe;
 use super::real::Real;
 use super::trace::find_hit;
@@ -29,6 +29,7 @@ impl<R: Real> Tracer<R> for &Flat<R> {
     fn any(&mut self, probe: Probe<R>, limit: R) -> bool {
         let mut hit = no_hit();
         hit.t = limit;
+        hit.tile = NO_TILE;
         find_hit(self, probe, &mut hit);
         hit.id != NO_HIT
     }

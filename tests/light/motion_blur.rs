@@ -11,7 +11,7 @@ use rayproof::{Accuracy, Backend, Frame, Scene, Unwatched};
 
 use crate::common::{assert_same_bits, gpu, white_scene};
 
-const SAMPLES: u32 = 64;
+const SAMPLES: u32 = 256;
 
 fn shape(geometry: Geometry, velocity: DVec3) -> Shape {
     Shape {
