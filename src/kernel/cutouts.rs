@@ -110,6 +110,3 @@ pub fn is_blocked<R: Real>(
     }
     true
 }
-
-#[cfg(test)]
-mod tests;

@@ -97,6 +97,3 @@ pub fn even_direction(surface: &Surface, look: &Look, pair: [f32; 2]) -> Vec3<f3
     let around = circle_point(pair[1]);
     vec3(radius * around[0], radius * around[1], 1.0 - 2.0 * pair[0])
 }
-
-#[cfg(test)]
-mod tests;

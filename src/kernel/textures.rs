@@ -131,6 +131,3 @@ pub fn textured<R: Real>(
     let [red, green, blue, _] = texture_color(flat, texture, coordinates);
     albedo.times(vec3(red, green, blue))
 }
-
-#[cfg(test)]
-mod tests;

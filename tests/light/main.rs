@@ -4,7 +4,9 @@
 mod common;
 
 mod clear_bodies;
+mod cutouts;
 mod depth_of_field;
+mod fog;
 mod lamps;
 mod mirrors;
 mod motion_blur;
@@ -14,3 +16,4 @@ mod seen;
 mod sky;
 mod soft_shadows;
 mod strategies;
+mod textures;
