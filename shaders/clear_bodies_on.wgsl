@@ -30,7 +30,7 @@ fn pass_medium(path: ptr<function, Path>, hit: Hit) {
     if hit.id == NO_HIT || taxicab_length_f32(rate) == 0.0 {
         return;
     }
-    let distance = f32(hit.t * vector_length((*path).ray.direction));
+    let distance = way_to_hit(*path, hit);
     let left = vec3<f32>(
         left_after(rate.x, distance),
         left_after(rate.y, distance),
@@ -75,6 +75,7 @@ fn pass_clear(path: ptr<function, Path>, hit: Hit, surface: Surface, material: u
         direction = bent(view, surface.facing, ratio, goes_through);
     }
     if dot_product_f32(surface.facing, direction) < 0.0 {
+        (*path).is_inside = !leaves;
         let rates = finish_at(material, ABSORPTION).xyz;
         (*path).absorption = select(rates, vec3<f32>(), leaves);
     }

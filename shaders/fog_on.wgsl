@@ -26,7 +26,7 @@ fn meets_fog(
     surface: ptr<function, Surface>,
     look: ptr<function, Look>,
 ) -> bool {
-    if fog.density == 0.0 {
+    if fog.density == 0.0 || path.is_inside {
         return false;
     }
     let drawn = number(path.numbers, dimension_of(path.leg, FOG_WAY));

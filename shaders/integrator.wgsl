@@ -22,6 +22,8 @@ struct Path {
     // How often it may still be scattered, and mirrored or refracted.
     bounces: u32,
     reflections: u32,
+    // Whether it goes through a clear body.
+    is_inside: bool,
     // How far the path had come on this leg where the ray begins: through holes.
     passed: f32,
     // A search was given up.
@@ -48,8 +50,8 @@ fn path_from_camera(ray: Ray, numbers: Numbers) -> Path {
     let none = vec3<f32>();
     let all = vec3<f32>(1.0, 1.0, 1.0);
     let bounces = sampling.bounces;
-    let reflections = sampling.reflections;
-    return Path(ray, numbers, all, none, none, 0.0, 0u, bounces, reflections, 0.0, false);
+    let ways = sampling.reflections;
+    return Path(ray, numbers, all, none, none, 0.0, 0u, bounces, ways, false, 0.0, false);
 }
 
 // Where the path's leg begins: its ray does, unless it has come through holes.

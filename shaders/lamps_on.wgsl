@@ -183,7 +183,7 @@ fn weight_of_lamp(path: Path, hit: Hit, surface: Surface, material: u32) -> f32 
     if path.density == 0.0 {
         return 1.0;
     }
-    let place = vec3<f32>(path.ray.origin);
+    let place = leg_start(path);
     let angle = angle_of_lamp(record, place, surface.position - place);
     return found_weight(path.density, density_of_angle(angle));
 }

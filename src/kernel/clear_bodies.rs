@@ -16,7 +16,7 @@ use super::divide::divide;
 use super::exponential::exponential;
 use super::fresnel::thrown_back;
 use super::hit::{Hit, Surface};
-use super::integrator::{Path, send_on};
+use super::integrator::{Path, send_on, way_to_hit};
 use super::mirror::{cosine_to_viewer, mirrored, normal_to_viewer};
 use super::numbers::number;
 use super::planes::plane_is_left;
@@ -24,7 +24,7 @@ use super::real::Real;
 use super::refract::refracted;
 use super::spheres::sphere_is_left;
 use super::triangles::triangle_is_left;
-use super::vector::{Vec3, dot_product, taxicab_length, unit_vector, vec3, vector_length};
+use super::vector::{Vec3, dot_product, taxicab_length, unit_vector, vec3};
 use crate::flat::Flat;
 use crate::layout::NO_HIT;
 
@@ -49,7 +49,7 @@ pub fn pass_medium<R: Real>(path: &mut Path<R>, hit: Hit<R>) {
     if hit.id == NO_HIT || taxicab_length(rate) == 0.0 {
         return;
     }
-    let distance = (hit.t * vector_length(path.ray.direction)).to_f32();
+    let distance = way_to_hit(path, hit);
     let left = vec3(
         left_after(rate.x, distance),
         left_after(rate.y, distance),
@@ -104,6 +104,7 @@ pub fn pass_clear<R: Real>(
         direction = bent(view, surface.facing, ratio, goes_through);
     }
     if dot_product(surface.facing, direction) < 0.0 {
+        path.is_inside = !leaves;
         path.absorption = if leaves {
             Vec3::default()
         } else {

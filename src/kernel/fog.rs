@@ -29,7 +29,7 @@ pub const EVEN_COSINE: f32 = 0.25;
 /// taken out besides: the transmittance cancels.
 pub fn meets_fog<R: Real>(flat: &Flat<R>, path: &Path<R>, hit: Hit<R>) -> Option<(Surface, Look)> {
     let density = flat.fog.density;
-    if density == 0.0 {
+    if density == 0.0 || path.is_inside {
         return None;
     }
     let drawn = number(path.numbers, dimension_of(path.leg, FOG_WAY));

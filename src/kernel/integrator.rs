@@ -45,6 +45,8 @@ pub struct Path<R> {
     pub radiance: Vec3<f32>,
     /// What a clear body around the ray takes out of it in a unit of length.
     pub absorption: Vec3<f32>,
+    /// Whether it goes through a clear body.
+    pub is_inside: bool,
     /// The density, by solid angle, with which the ray's direction was drawn where lamps are
     /// searched for as well; 0 where only the ray itself finds them.
     pub density: f32,
@@ -83,6 +85,7 @@ pub fn path_from_camera<R: Real>(flat: &Flat<R>, ray: Ray<R>, numbers: Numbers) 
         throughput: vec3(1.0, 1.0, 1.0),
         radiance: Vec3::default(),
         absorption: Vec3::default(),
+        is_inside: false,
         density: 0.0,
         leg: 0,
         bounces: flat.sampling.bounces,

@@ -8,7 +8,7 @@ use super::dimensions::dimension_of_lamp;
 use super::divide::{divide, square_root};
 use super::frame::{axes_around, from_axes};
 use super::hit::{Hit, Surface};
-use super::integrator::Path;
+use super::integrator::{Path, leg_start};
 use super::numbers::number_pair;
 use super::offset::leave_surface;
 use super::real::Real;
@@ -169,7 +169,7 @@ pub fn weight_of_lamp<R: Real>(
     if path.density == 0.0 {
         return 1.0;
     }
-    let place = path.ray.origin.to_f32();
+    let place = leg_start(path);
     let angle = angle_of_lamp(record, place, surface.position - place);
     found_weight(flat, path.density, density_of_angle(angle))
 }
