@@ -34,14 +34,11 @@ fn from_moving_camera(ray: Ray) -> Ray {
     return Ray(ray.origin + vec3<real>(motion.camera * shutter), ray.direction);
 }
 
-// Where a place of the primitive `id` is at the sample's time.
+// Where a place of the primitive `id` is at the sample's time. Without branches: lavapipe ends
+// with a memory fault where texels are read behind two of them in here.
 fn moved(place: vec3<real>, id: u32) -> vec3<real> {
-    if motion.moving == 0u {
-        return place;
-    }
     let row = word_at(motion.rows, id);
-    if row == 0u {
-        return place;
-    }
-    return place + vec3<real>(floats_at(motion.velocities, row - 1u).xyz * shutter);
+    let moves = motion.moving != 0u && row != 0u;
+    let velocity = floats_at(motion.velocities, select(0u, row - 1u, moves)).xyz;
+    return select(place, place + vec3<real>(velocity * shutter), moves);
 }

@@ -76,7 +76,7 @@ pub fn plain_scene() -> Scene {
             shape(sphere.clone(), at(-0.9, 0.0, -0.4, 0.8), MIRROR),
             shape(sphere.clone(), at(-0.5, -0.4, 0.9, 0.4), CLEAR),
             shape(sphere.clone(), at(0.3, -0.3, 0.8, 0.4), COLORED),
-            shape(sphere, at(0.5, 0.6, -0.6, 0.4), SHINING),
+            shape(sphere, at(0.0, 0.5, 0.4, 0.3), SHINING),
         ],
         ..Scene::default()
     };

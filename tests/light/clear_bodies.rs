@@ -319,7 +319,9 @@ fn all_sorts() -> Scene {
 fn both_backends_show_the_same_bodies() {
     let trees = Settings {
         accuracy: Accuracy::Robust,
-        bounds: Bounds::Tree, forced: rayproof::effects::EffectSet::NONE, };
+        bounds: Bounds::Tree,
+        forced: rayproof::effects::EffectSet::NONE,
+    };
     for (samples, bounces) in [(1, 0), (4, 0), (4, 3)] {
         let mut scene = all_sorts();
         scene.integrator.samples = samples;
