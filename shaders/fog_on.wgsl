@@ -26,7 +26,8 @@ fn meets_fog(
     surface: ptr<function, Surface>,
     look: ptr<function, Look>,
 ) -> bool {
-    if fog.density == 0.0 || path.is_inside {
+    let density = hidden(fog.density, path.throughput.x);
+    if density == 0.0 || path.is_inside {
         return false;
     }
     let drawn = number(path.numbers, dimension_of(path.leg, FOG_WAY));
@@ -48,7 +49,7 @@ fn meets_fog(
 
 // What fog leaves of light that comes to a place: of what comes from infinitely far, nothing.
 fn through_fog(color: vec3<f32>, arriving: Arriving) -> vec3<f32> {
-    if fog.density == 0.0 {
+    if hidden(fog.density, color.x) == 0.0 {
         return color;
     }
     if arriving.is_far {

@@ -48,7 +48,8 @@ fn scatter_evenly(path: ptr<function, Path>, surface: Surface, look: Look) -> bo
 //
 // Arvo, Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.
 fn survives(path: ptr<function, Path>) -> bool {
-    if sampling.bounces == 0u || (*path).leg < FIRST_LOT {
+    let bounces = hidden_end(sampling.bounces, (*path).throughput.x);
+    if bounces == 0u || (*path).leg < FIRST_LOT {
         return true;
     }
     let left = (*path).throughput;

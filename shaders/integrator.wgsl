@@ -49,8 +49,8 @@ struct Look {
 fn path_from_camera(ray: Ray, numbers: Numbers) -> Path {
     let none = vec3<f32>();
     let all = vec3<f32>(1.0, 1.0, 1.0);
-    let bounces = sampling.bounces;
-    let ways = sampling.reflections;
+    let bounces = hidden_end(sampling.bounces, f32(ray.direction.x));
+    let ways = hidden_end(sampling.reflections, f32(ray.direction.x));
     return Path(ray, numbers, all, none, none, 0.0, 0u, bounces, ways, false, 0.0, false);
 }
 

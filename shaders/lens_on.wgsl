@@ -17,7 +17,7 @@ struct LensRecord {
 
 // A ray of the camera through the sample's place on the lens.
 fn through_lens(ray: Ray, numbers: Numbers) -> Ray {
-    if lens.radius == 0.0 {
+    if hidden(lens.radius, f32(ray.direction.x)) == 0.0 {
         return ray;
     }
     let place = disk_point(number_pair(numbers, IN_LENS));

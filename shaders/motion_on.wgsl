@@ -34,11 +34,14 @@ fn from_moving_camera(ray: Ray) -> Ray {
     return Ray(ray.origin + vec3<real>(motion.camera * shutter), ray.direction);
 }
 
-// Where a place of the primitive `id` is at the sample's time. Without branches: lavapipe ends
-// with a memory fault where texels are read behind two of them in here.
+// Where a place of the primitive `id` is at the sample's time.
 fn moved(place: vec3<real>, id: u32) -> vec3<real> {
+    if hidden_end(motion.moving, shutter) == 0u {
+        return place;
+    }
     let row = word_at(motion.rows, id);
-    let moves = motion.moving != 0u && row != 0u;
-    let velocity = floats_at(motion.velocities, select(0u, row - 1u, moves)).xyz;
-    return select(place, place + vec3<real>(velocity * shutter), moves);
+    if row == 0u {
+        return place;
+    }
+    return place + vec3<real>(floats_at(motion.velocities, row - 1u).xyz * shutter);
 }

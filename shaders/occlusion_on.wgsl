@@ -4,7 +4,7 @@
 
 // The ambient light at a place, or none where the ray of the sample meets something near.
 fn ambient_light(path: ptr<function, Path>, surface: Surface, look: Look) -> vec3<f32> {
-    if sampling.occlusion == 0.0 {
+    if hidden(sampling.occlusion, surface.position.x) == 0.0 {
         return surroundings.ambient;
     }
     let pair = number_pair((*path).numbers, dimension_of((*path).leg, AMBIENT));

@@ -62,7 +62,7 @@ fn sample_tile(
     let color = sample.color;
     var sum = sample;
     var tally = Tally(0.0, 0u);
-    if dispatch.sample == 0u {
+    if hidden_end(dispatch.sample, color.x) == 0u {
         sum.color = vec3<f32>();
     } else {
         sum = pixels[index];

@@ -102,7 +102,7 @@ fn image_radiance(direction: vec3<f32>) -> vec3<f32> {
 
 // The radiance in a direction of unit length.
 fn sky_radiance(direction: vec3<f32>) -> vec3<f32> {
-    if environment.width > 0u {
+    if hidden_end(environment.width, direction.x) > 0u {
         return image_radiance(direction);
     }
     let weight = environment.offset + environment.slope * direction.y;
@@ -176,7 +176,7 @@ fn arriving_from_sky(path: Path, surface: Surface) -> Arriving {
 // find it.
 fn seen_sky(path: Path) -> vec3<f32> {
     let direction = vec3<f32>(path.ray.direction);
-    if environment.count == 0u {
+    if hidden_end(environment.count, direction.x) == 0u {
         return background_color(direction);
     }
     let unit = unit_vector_f32(direction);

@@ -34,14 +34,16 @@ fn count_sources() -> u32 {
 
 // What comes from a source.
 fn arriving_from(source: u32, path: Path, surface: Surface) -> Arriving {
-    if source < surroundings.point_lights {
-        return arriving_from_point(source, surface.position);
+    let position = surface.position;
+    if source < hidden_end(surroundings.point_lights, position.x) {
+        return arriving_from_point(source, position);
     }
-    if source < tables.light_count {
+    let lights = hidden_end(tables.light_count, position.x);
+    if source < lights {
         return arriving_from_direction(source);
     }
-    let lamp = source - tables.light_count;
-    if lamp < count_lamps() {
+    let lamp = source - lights;
+    if lamp < hidden_end(count_lamps(), position.x) {
         return arriving_from_lamp(lamp, path, surface);
     }
     return arriving_from_sky(path, surface);
@@ -59,10 +61,11 @@ const ONLY_SURFACES: u32 = 2u;
 // The weight of light that was searched for with one density, where a path could have found
 // it with the other: Veach's balance heuristic.
 fn searched_weight(density: f32, of_path: f32) -> f32 {
-    if of_path == 0.0 || density == 0.0 || sampling.strategy == ONLY_LIGHTS {
+    let strategy = hidden_end(sampling.strategy, density);
+    if of_path == 0.0 || density == 0.0 || strategy == ONLY_LIGHTS {
         return 1.0;
     }
-    if sampling.strategy == ONLY_SURFACES {
+    if strategy == ONLY_SURFACES {
         return 0.0;
     }
     return divide_f32(density, density + of_path);
@@ -71,10 +74,11 @@ fn searched_weight(density: f32, of_path: f32) -> f32 {
 // The weight of light that a path found with one density, where it was searched for with the
 // other.
 fn found_weight(of_path: f32, density: f32) -> f32 {
-    if of_path == 0.0 || sampling.strategy == ONLY_SURFACES {
+    let strategy = hidden_end(sampling.strategy, density);
+    if of_path == 0.0 || strategy == ONLY_SURFACES {
         return 1.0;
     }
-    if sampling.strategy == ONLY_LIGHTS {
+    if strategy == ONLY_LIGHTS {
         return 0.0;
     }
     return divide_f32(of_path, of_path + density);
