@@ -27,4 +27,5 @@ mod sky;
 mod soft_shadows;
 mod strategies;
 mod textures;
+mod tiers;
 mod volumes;

@@ -9,10 +9,11 @@ use rayproof::flatten::flatten;
 use rayproof::kernel::glossy::energy_of;
 use rayproof::scene::{AreaForm, Environment, Geometry, Light, Material, Strategy};
 
+use crate::common::BRUTE_FORCE;
 use crate::mirrors::{BETWEEN, mirror, plane_at, textbook, thrown_back};
 use crate::noisy::Noisy;
 use crate::scenes::{image, lamp, matt, ramp, rectangle, shape, sphere};
-use crate::seen::{FAR, by_height, looking_at, mean_of};
+use crate::seen::{FAR, assert_backends_agree, by_height, looking_at, mean_of};
 
 const WAYS: [Strategy; 3] = [Strategy::Both, Strategy::Lights, Strategy::Surfaces];
 
@@ -88,6 +89,26 @@ fn all_ways_find_the_same_light() {
             dimmer.integrator.strategy = Strategy::Both;
             assert!(!Noisy::of(&dimmer).agrees(&both), "the control");
         }
+    }
+}
+
+#[test]
+fn both_backends_find_the_same_light() {
+    for mut scene in lit() {
+        scene.integrator.samples = 4;
+        for strategy in WAYS {
+            scene.integrator.strategy = strategy;
+            for bounces in [0, 2] {
+                scene.integrator.bounces = bounces;
+                assert_backends_agree(&scene, &[BRUTE_FORCE]);
+            }
+        }
+        // The control: both ways are not one of them.
+        let [both, lights, surfaces] = WAYS.map(|strategy| {
+            scene.integrator.strategy = strategy;
+            mean_of(&scene).frame
+        });
+        assert!(!both.has_bits_of(&lights) && !both.has_bits_of(&surfaces));
     }
 }
 

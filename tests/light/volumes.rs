@@ -1,4 +1,4 @@
-//! Bounding volumes and tiers do not change what paths of light find.
+//! Bounding volumes do not change what paths of light find.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::mirrors::mirror;
 use crate::scenes::{room, shape};
 
 /// The room with what is in it in groups, and a mesh with smooth normals, that mirrors.
-fn grouped() -> Scene {
+pub fn grouped() -> Scene {
     let mut scene = room(32, 4, 2);
     scene.materials.push(mirror(0.5, 0.3, 0.4));
     let mirror = scene.materials.len() - 1;
@@ -47,7 +47,8 @@ fn grouped() -> Scene {
     scene
 }
 
-fn by(scene: &Scene, backend: &Backend, accuracy: Accuracy, bounds: Bounds) -> Frame {
+/// The picture of a scene, by a tier and volumes.
+pub fn by(scene: &Scene, backend: &Backend, accuracy: Accuracy, bounds: Bounds) -> Frame {
     let settings = Settings {
         accuracy,
         bounds,
@@ -84,35 +85,4 @@ fn volumes_change_no_path() {
     };
     let frame = by(&cut, &cpu, Accuracy::Robust, Bounds::Scene);
     assert!(compare(&reference, &frame).different_pixels > 0);
-}
-
-#[test]
-fn tiers_show_the_same_on_both_backends() {
-    let (cpu, gpu) = (Backend::Cpu(None), Backend::Gpu(Box::new(gpu())));
-    let scene = grouped();
-    let robust = by(&scene, &cpu, Accuracy::Robust, Bounds::Tree);
-    for accuracy in [Accuracy::Extended, Accuracy::Double, Accuracy::Adaptive] {
-        for bounds in [Bounds::Tree, Bounds::Spheres { levels: 1 }] {
-            let [here, there] = [&cpu, &gpu].map(|backend| by(&scene, backend, accuracy, bounds));
-            let comparison = compare(&here, &there);
-            assert_eq!(comparison.different_pixels, 0, "{accuracy:?} {bounds:?}");
-            // The control: it is not the picture of another tier.
-            assert!(compare(&robust, &here).different_pixels > 0);
-        }
-    }
-}
-
-/// The textbook's primitives are not padded, so which hits a tree loses depends on the tree, and
-/// the CPU has one of its own: see `tests/tiers/pictures.rs`. Without one there is no difference.
-#[test]
-fn textbook_paths_agree_without_a_tree() {
-    let (cpu, gpu) = (Backend::Cpu(None), Backend::Gpu(Box::new(gpu())));
-    for scene in [grouped(), room(64, 4, 2)] {
-        for bounds in [Bounds::None, Bounds::Spheres { levels: 1 }] {
-            let [here, there] =
-                [&cpu, &gpu].map(|backend| by(&scene, backend, Accuracy::Textbook, bounds));
-            let comparison = compare(&here, &there);
-            assert_eq!(comparison.different_pixels, 0, "{bounds:?}");
-        }
-    }
 }
