@@ -19,7 +19,7 @@ use crate::layout::Pixel;
 use crate::samples::{Enough, Preview, Taken, take_samples};
 use crate::scene::Scene;
 pub use crate::tier::Accuracy;
-use crate::tier::{Bounded, Double, Extended, Robust, Textbook};
+use crate::tier::{Bounded, Double, Extended, Robust, Textbook, Width};
 use crate::watch::Watch;
 use crate::{cpu, gpu};
 
@@ -274,9 +274,20 @@ fn trace_plainly<R: Real>(
     match backend {
         Backend::Cpu(threads) => cpu::render(flat, *threads, watch, keep),
         Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-            gpu::render::render(gpu, flat, portions_of(settings), watch, keep)
+            let portions = portions_of(settings);
+            if is_too_wide::<R>(gpu) {
+                let flat = flat.converted::<Extended>();
+                return gpu::render::render(gpu, &flat, portions, watch, keep);
+            }
+            gpu::render::render(gpu, flat, portions, watch, keep)
         }),
     }
+}
+
+/// Whether a device has no numbers of this width: in the adaptive tier two f32 then stand for an
+/// f64.
+fn is_too_wide<R: Real>(gpu: &Gpu) -> bool {
+    R::WIDTH == Width::Double && !gpu.has_f64()
 }
 
 /// Counts what each ray of a picture tests, in a pass of its own: with a shader that
@@ -445,8 +456,14 @@ fn sample<R: Real>(
             )
         }
         Backend::Gpu(gpu) => on_gpu(gpu, &mut |gpu| {
-            let mut sampler = gpu::sampled::Sampled::new(gpu, flat, portions_of(settings))?;
+            let portions = portions_of(settings);
             let preview = until.preview.as_mut().map(Preview::again);
+            if is_too_wide::<R>(gpu) {
+                let flat = flat.converted::<Extended>();
+                let mut sampler = gpu::sampled::Sampled::new(gpu, &flat, portions)?;
+                return take_samples(&mut sampler, frame, flat.samples, enough, watch, preview);
+            }
+            let mut sampler = gpu::sampled::Sampled::new(gpu, flat, portions)?;
             take_samples(&mut sampler, frame, flat.samples, enough, watch, preview)
         }),
     }

@@ -112,7 +112,10 @@ impl Widths {
             Accuracy::Double => plain(backend, &self.double, portions),
             // So many primitives by brute force, or lights: in f64 from the beginning.
             Accuracy::Adaptive if !gpu::render::may_retrace(&self.double, portions) => {
-                plain(backend, &self.double, portions)
+                match backend {
+                    Backend::Gpu(gpu) if !gpu.has_f64() => plain(backend, &self.extended, portions),
+                    _ => plain(backend, &self.double, portions),
+                }
             }
             Accuracy::Adaptive => Ok(match backend {
                 Backend::Cpu(threads) => {

@@ -47,6 +47,7 @@ pub struct Gpu {
     /// What was asked for, for opening it again.
     wanted: Option<String>,
     exact: bool,
+    f64: bool,
     troubles: Arc<Troubles>,
     pub(super) kernels: Kernels,
 }
@@ -107,6 +108,7 @@ impl Gpu {
             queue,
             wanted: wanted.map(str::to_string),
             exact: vulkan && features.contains(Features::PASSTHROUGH_SHADERS),
+            f64: features.contains(Features::SHADER_F64),
             troubles: Arc::default(),
             kernels: Kernels::default(),
         };
@@ -129,7 +131,7 @@ impl Gpu {
 
     /// Whether the device computes in f64 too.
     pub fn has_f64(&self) -> bool {
-        self.device.features().contains(Features::SHADER_F64)
+        self.f64
     }
 
     /// Why the device does not trace with this accuracy, if it does not.
@@ -182,6 +184,19 @@ impl Gpu {
     /// [`Error::DeviceLost`] when the device is lost.
     pub fn give_up_exactness(&mut self) -> Result<()> {
         self.exact = false;
+        self.kernels.clear();
+        self.arithmetic = measure_arithmetic(self)?;
+        Ok(())
+    }
+
+    /// From here on, no shader computes in f64, as on a device without it; the arithmetic is
+    /// measured anew.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::DeviceLost`] when the device is lost.
+    pub fn give_up_f64(&mut self) -> Result<()> {
+        self.f64 = false;
         self.kernels.clear();
         self.arithmetic = measure_arithmetic(self)?;
         Ok(())

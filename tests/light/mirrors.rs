@@ -14,9 +14,9 @@ use crate::common::{BRUTE_FORCE, assert_same_bits, compare, gpu};
 use crate::seen::{FAR, ROUNDING, assert_backends_agree, by_height, looking_at, mean_of};
 
 /// What is between two numbers of the table of energies is off by so much of it at most.
-const BETWEEN: f64 = 1.0 / 2048.0;
+pub const BETWEEN: f64 = 1.0 / 2048.0;
 
-fn mirror(reflectance: f64, roughness: f64, albedo: f64) -> Material {
+pub fn mirror(reflectance: f64, roughness: f64, albedo: f64) -> Material {
     Material {
         albedo: [albedo; 3],
         mirror: [reflectance; 3],
@@ -26,7 +26,7 @@ fn mirror(reflectance: f64, roughness: f64, albedo: f64) -> Material {
 }
 
 /// A plane that is seen at this cosine.
-fn plane_at(cosine: f64) -> Geometry {
+pub fn plane_at(cosine: f64) -> Geometry {
     Geometry::Plane {
         point: DVec3::new(0.0, 0.0, -3.0),
         normal: DVec3::new(0.0, (1.0 - cosine * cosine).sqrt(), cosine),
@@ -34,7 +34,7 @@ fn plane_at(cosine: f64) -> Geometry {
 }
 
 /// What a mirror of `reflectance` throws back: Schlick.
-fn thrown_back(reflectance: f64, cosine: f64) -> f64 {
+pub fn thrown_back(reflectance: f64, cosine: f64) -> f64 {
     reflectance + (1.0 - reflectance) * (1.0 - cosine).powi(5)
 }
 
@@ -149,7 +149,7 @@ fn highlights_are_as_the_textbook_has_them() {
 }
 
 /// D G2 / (4 cos cos), with a masking and shadowing that go by height (Heitz 2014).
-fn textbook(view: DVec3, light: DVec3, normal: DVec3, width: f64) -> f64 {
+pub fn textbook(view: DVec3, light: DVec3, normal: DVec3, width: f64) -> f64 {
     let half = (view + light).normalize();
     let [seen, lit, tilt] = [view, light, half].map(|v| v.dot(normal));
     let square = width * width;
