@@ -25,9 +25,9 @@ const GROUND: DVec3 = dvec3(0.05, 0.045, 0.045);
 /// Radiance that the sun's haze adds near it.
 const GLOW: DVec3 = dvec3(1.6, 0.75, 0.25);
 
-/// Radiance of the sun, and the degrees from its middle to its edge: ten times the real one's.
-const SUN: DVec3 = dvec3(420.0, 250.0, 110.0);
-const SUN_RADIUS: f64 = 2.6;
+/// Radiance of the sun, and the degrees from its middle to its edge: a dozen of the real one's.
+const SUN: DVec3 = dvec3(210.0, 122.0, 54.0);
+const SUN_RADIUS: f64 = 3.6;
 
 /// Degrees of the sun above the horizon, and from x towards z.
 const SUN_HEIGHT: f64 = 14.0;
