@@ -238,11 +238,15 @@ fn lines(text: &str) -> Vec<String> {
 
 fn folder_with_scenes() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let scenes = folder.path().join("assets/scenes");
-    fs::create_dir_all(&scenes).unwrap();
-    for file in fs::read_dir(Path::new(ROOT).join("assets/scenes")).unwrap() {
-        let file = file.unwrap();
-        fs::copy(file.path(), scenes.join(file.file_name())).unwrap();
+    for scenes in ["assets/scenes", "assets/scenes/skies"] {
+        let copies = folder.path().join(scenes);
+        fs::create_dir_all(&copies).unwrap();
+        for entry in fs::read_dir(Path::new(ROOT).join(scenes)).unwrap() {
+            let file = entry.unwrap().path();
+            if file.is_file() {
+                fs::copy(&file, copies.join(file.file_name().unwrap())).unwrap();
+            }
+        }
     }
     folder
 }
