@@ -16,12 +16,27 @@ use crate::render::{Accuracy, Settings};
 use crate::scene::Scene;
 use crate::tier::{Bounded, Double, Extended, Formulas, Robust, Textbook, Width};
 
+/// Of pictures that are made of one ray through each pixel.
+pub const RAYS: &str = "rays";
+
+/// Of pictures that are made of paths of light.
+pub const PATHS: &str = "paths";
+
+/// What a scene's pictures are made of: [`RAYS`] or [`PATHS`].
+pub fn traced(counts: &Counts, forced: EffectSet) -> &'static str {
+    if takes_samples(counts, forced) {
+        PATHS
+    } else {
+        RAYS
+    }
+}
+
 /// What a scene's pictures take.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ScenePlan {
     /// All effects, in the order of the table.
     pub effects: Vec<PlannedEffect>,
-    /// What the pictures are made of: `rays`, one for each pixel, or `paths` of light.
+    /// What the pictures are made of: [`RAYS`] or [`PATHS`].
     pub traced: &'static str,
     /// The shader files that are in.
     pub files: Vec<&'static str>,
@@ -105,9 +120,9 @@ fn plan_in<R: Real>(scene: &Scene, settings: Settings) -> Result<ScenePlan> {
     Ok(ScenePlan {
         effects: EFFECTS
             .iter()
-            .map(|effect| planned(effect, scene, &counts, settings))
+            .map(|effect| planned(effect, scene, &counts, settings, device.entry))
             .collect(),
-        traced: if samples { "paths" } else { "rays" },
+        traced: traced(&counts, settings.forced),
         files_left_out: left_out(&files, device.entry),
         files: names_of(&files),
         bindings: bindings_of(&program),
@@ -135,9 +150,20 @@ fn full_words<R: Real>(counts: &Counts) -> Result<usize> {
     Ok(Program::in_width(&files, R::WIDTH)?.spirv.len())
 }
 
-fn planned(effect: &Effect, scene: &Scene, counts: &Counts, settings: Settings) -> PlannedEffect {
+fn planned(
+    effect: &Effect,
+    scene: &Scene,
+    counts: &Counts,
+    settings: Settings,
+    entry: Entry,
+) -> PlannedEffect {
     let called_for = effect.is_called_for(counts);
+    // Paths do not go through the one point of a pixel that its tile was asked about.
+    let concerns = !(effect.part == Part::Screen && entry == Entry::Samples);
     let reason = match (called_for, effect.part) {
+        (true, Part::Screen) if !concerns => {
+            "no use to paths of light, which go through the list of spheres".into()
+        }
         (true, Part::Bounds | Part::Screen) => of_bounds(settings.bounds),
         (true, _) => effect
             .cause(scene)
@@ -150,7 +176,7 @@ fn planned(effect: &Effect, scene: &Scene, counts: &Counts, settings: Settings) 
     };
     PlannedEffect {
         name: effect.name,
-        on: called_for || settings.forced.has(effect),
+        on: concerns && called_for || settings.forced.has(effect),
         reason,
         is_removable: effect.is_removable(),
     }

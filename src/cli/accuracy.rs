@@ -9,6 +9,7 @@ use self::level::Level;
 use self::results::{LevelRows, Results};
 use super::Outcome;
 use super::flags::Common;
+use super::paths::warn_of_paths;
 use super::report;
 use rayproof::accuracy::errors::{ulps_off, verdict};
 use rayproof::error::{Error, Result};
@@ -25,6 +26,7 @@ pub(super) fn run(arguments: &AccuracyArguments, common: &Common) -> Result<Outc
     }
     let scene = arguments.load()?;
     scene.validate()?;
+    warn_of_paths(&scene, "`accuracy` measures");
     let backends = arguments.backends()?;
     let tiers = arguments.tiers();
     let bounds = arguments.bounds();

@@ -12,6 +12,7 @@ use self::flags::BenchArguments;
 use self::results::{Results, Row};
 use super::Outcome;
 use super::flags::Common;
+use super::paths::warn_of_paths;
 use super::progress::Progress;
 use super::report;
 use rayproof::bounds::{self, Bounds};
@@ -32,6 +33,7 @@ pub(super) fn run(arguments: &BenchArguments, common: &Common) -> Result<Outcome
     }
     let scene = arguments.load()?;
     scene.validate()?;
+    warn_of_paths(&scene, "`bench` times");
     let device = arguments.open_gpu()?;
     if let Some(device) = device.as_ref().filter(|device| !device.is_bit_exact()) {
         tracing::warn!(

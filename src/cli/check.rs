@@ -5,11 +5,13 @@ use serde::Serialize;
 use super::Outcome;
 use super::faults::Faulty;
 use super::flags::{CheckArguments, Common};
+use super::paths::a_pixel_of;
 use super::report::{self, table};
 use rayproof::bounds::overfull_groups;
-use rayproof::effects::effects_of;
+use rayproof::effects::{EffectSet, effects_of};
 use rayproof::error::Result;
 use rayproof::flatten::flatten;
+use rayproof::plan::{PATHS, traced};
 use rayproof::scene::parse::Note;
 
 /// What is in a scene.
@@ -18,6 +20,8 @@ struct Contents {
     scene: String,
     width: u32,
     height: u32,
+    samples: u32,
+    traced: &'static str,
     spheres: usize,
     planes: usize,
     disks: usize,
@@ -52,6 +56,8 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
         scene: name,
         width: flat.size[0],
         height: flat.size[1],
+        samples: loaded.scene.integrator.samples,
+        traced: traced(&flat.counts(), EffectSet::NONE),
         spheres: flat.spheres.len(),
         planes: flat.planes.len(),
         disks: flat.disks.len(),
@@ -82,7 +88,12 @@ fn summary(contents: &Contents) -> String {
         ("scene", format!("{}: no faults", contents.scene)),
         (
             "picture",
-            format!("{} x {}", contents.width, contents.height),
+            format!(
+                "{} x {}, {}",
+                contents.width,
+                contents.height,
+                a_pixel_of(contents.traced == PATHS, contents.samples)
+            ),
         ),
         (
             "shapes",

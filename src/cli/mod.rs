@@ -13,6 +13,7 @@ mod faults;
 mod flags;
 mod memory;
 mod mesh;
+mod paths;
 mod plan;
 mod plan_flags;
 mod progress;

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::Outcome;
 use super::flags::{Common, RenderArguments};
+use super::paths::warn_of_paths;
 use super::progress::Progress;
 use super::report::{self, table};
 use super::shown::{Shown, Written, one_layer_of};
@@ -58,6 +59,9 @@ pub(super) fn run(arguments: &RenderArguments, common: &Common) -> Result<Outcom
     let (until, effects) = (&arguments.until, &arguments.effects);
     let scene = until.change(effects.change(scene)?, effects.samples);
     let counts = arguments.count || shown.iter().any(|shown| shown.is_counted());
+    if counts {
+        warn_of_paths(&scene, "counted is what is tested by");
+    }
     let counting = if counts { COUNT_BYTES } else { 0 };
     let (width, height) = (scene.image.width, scene.image.height);
     Frame::check_memory(width, height, format.packing() + counting)?;

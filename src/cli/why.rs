@@ -8,6 +8,7 @@ use serde::Serialize;
 use self::flags::WhyArguments;
 use super::Outcome;
 use super::flags::Common;
+use super::paths::warn_of_paths;
 use super::progress::Progress;
 use super::report;
 use rayproof::error::Result;
@@ -27,6 +28,7 @@ pub(super) fn run(arguments: &WhyArguments, common: &Common) -> Result<Outcome> 
     let scene = arguments
         .policy
         .load_scene(&arguments.scene, arguments.size)?;
+    warn_of_paths(&scene, "`why` explains");
     let name = arguments.scene.display().to_string();
     let progress = Progress::new(common, name.clone());
     let why = explain(&scene, bounds, arguments.x, arguments.y, &progress)?;

@@ -162,6 +162,13 @@ pub fn effects_of(counts: &Counts) -> Vec<&'static str> {
     on.map(|effect| effect.name).collect()
 }
 
+/// The names of the effects that a scene calls for and that need paths of light.
+pub fn path_effects_of(scene: &Scene) -> Vec<&'static str> {
+    let paths = EFFECTS.iter().filter(|effect| effect.part == Part::Path);
+    let on = paths.filter(|effect| effect.cause(scene).is_some());
+    on.map(|effect| effect.name).collect()
+}
+
 /// Whether a scene's pictures are made of samples, by a path each, since an effect asks for
 /// it that the scene calls for or that is forced.
 pub fn takes_samples(counts: &Counts, forced: EffectSet) -> bool {

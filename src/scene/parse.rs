@@ -26,8 +26,9 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
+use self::asset::Library;
 use self::faults::Faults;
-use self::image_file::Images;
+use self::image_file::ImageFiles;
 use self::material::Palette;
 pub use self::notes::Note;
 use self::section::Section;
@@ -137,7 +138,7 @@ fn read(
     let background = section("background", "[background]", &mut Origin::default(), faults);
     let both = background.is_some();
     let background = surroundings::background(background, faults);
-    let mut images = Images::new(folder, policy);
+    let mut images = ImageFiles::new(folder, policy);
     let around = section(
         "environment",
         "[environment]",
@@ -162,7 +163,8 @@ fn read(
     let contents = group::Contents::read(&mut root, &palette, faults);
     root.close(faults);
 
-    let expanded = expand::expand(contents, palette, folder, policy, faults)?;
+    let library = Library::new(folder, policy, images.into_images());
+    let expanded = expand::expand(contents, palette, library, faults)?;
     origins.materials = expanded.material_origins;
     origins.shapes = expanded.origins;
     let scene = Scene {

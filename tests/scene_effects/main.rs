@@ -3,6 +3,7 @@
 
 #[path = "../common/broken_files.rs"]
 mod broken_files;
+mod images;
 mod keys;
 mod meaning;
 mod oddities;

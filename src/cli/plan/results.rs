@@ -5,8 +5,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::row_of;
+use crate::cli::paths::a_pixel_of;
 use crate::cli::report::{columns_of, table};
-use rayproof::plan::{PlannedBinding, ScenePlan};
+use rayproof::plan::{PATHS, PlannedBinding, ScenePlan};
 use rayproof::scene::Scene;
 
 /// The result of one call.
@@ -36,16 +37,18 @@ pub(super) struct Row {
     pub(super) name: &'static str,
     pub(super) on: bool,
     pub(super) reason: String,
+    /// None where it was not measured, or cannot be taken out.
+    pub(super) cost_ms: Option<f64>,
     #[serde(flatten)]
     pub(super) cost: Option<Cost>,
 }
 
-/// What an effect costs.
+/// How an effect's cost comes about.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(super) struct Cost {
-    /// The difference of the two below, which are medians.
-    pub(super) cost_ms: f64,
+    /// Of the scene as it is, a median.
     pub(super) with_ms: f64,
+    /// Of the scene without the effect, another.
     pub(super) without_ms: f64,
     /// How much faster the scene is without it: the median of the turns' ratios.
     pub(super) share: f64,
@@ -84,6 +87,7 @@ impl Results {
         for (name, cost) in costs {
             let row = self.effects.iter_mut().find(|row| row.name == name);
             if let Some(row) = row {
+                row.cost_ms = Some(cost.with_ms - cost.without_ms);
                 row.cost = Some(cost);
             }
         }
@@ -130,11 +134,7 @@ impl Results {
     }
 
     fn made_of(&self) -> String {
-        let each = match self.traced {
-            "rays" => "one ray a pixel".to_owned(),
-            _ if self.samples == 1 => "one path a pixel".to_owned(),
-            _ => format!("{} paths a pixel", self.samples),
-        };
+        let each = a_pixel_of(self.traced == PATHS, self.samples);
         format!("{} x {}, {each}", self.width, self.height)
     }
 }
@@ -181,9 +181,9 @@ impl Row {
             self.name.to_owned(),
             if self.on { "on" } else { "-" }.into(),
         ];
-        match self.cost {
-            Some(cost) => cells.extend([
-                format!("{:.1}", cost.cost_ms),
+        match self.cost.zip(self.cost_ms) {
+            Some((cost, cost_ms)) => cells.extend([
+                format!("{cost_ms:.1}"),
                 format!("{:.1}", cost.with_ms),
                 format!("{:.2}", cost.share),
             ]),

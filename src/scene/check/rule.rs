@@ -44,7 +44,7 @@ impl Flaw {
         )
     }
 
-    pub(super) fn at(mut self, place: &str) -> Self {
+    pub(in crate::scene) fn at(mut self, place: &str) -> Self {
         self.message = format!("{place}: {}", self.message);
         self
     }

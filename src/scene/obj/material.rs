@@ -10,7 +10,7 @@ use super::read::Fault;
 use crate::error::{Error, Result};
 use crate::scene::guard::{Guard, Refusal};
 use crate::scene::texels::Images;
-use crate::scene::{Material, Pattern, Rgb, Texture};
+use crate::scene::{Material, Pattern, Rgb, Texture, check};
 
 /// The albedo of a material that no file describes; many programs write it for
 /// a surface that nobody gave a colour.
@@ -114,13 +114,16 @@ fn material(
 
 fn image(map: &Map, path: &Path, images: &mut Images) -> Result<Texture> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let image = images.load(&folder.join(&map.file));
-    let image = image.map_err(|error| match error {
-        Error::Asset { .. } => Fault::at(map.line, format!("map_Kd: {error}")).into_error(path),
+    let file = folder.join(&map.file);
+    let fault = |message| Fault::at(map.line, format!("map_Kd: {message}")).into_error(path);
+    let image = images.image(&file).map_err(|error| match error {
+        Error::Asset { .. } => fault(error.to_string()),
         other => other,
     })?;
+    check::brightest_texel(image.largest)
+        .map_err(|flaw| fault(flaw.at(&file.display().to_string()).message))?;
     Ok(Texture {
-        pattern: Pattern::Image(image),
+        pattern: Pattern::Image(image.texels),
         repeat: map.repeat,
         size: TEXTURE_SIZE,
     })

@@ -6,11 +6,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::image_file::root;
 use crate::Result;
 use crate::scene::mesh::{self, Builtin};
 use crate::scene::obj::{self, ObjOptions};
 use crate::scene::policy::Policy;
-use crate::scene::texels::{ImageOptions, Images};
+use crate::scene::texels::Images;
 use crate::scene::{Material, Mesh, check};
 
 /// Where a mesh comes from.
@@ -107,20 +108,21 @@ impl Asset {
 /// Loads each source once.
 pub(super) struct Library<'p> {
     folder: &'p Path,
-    policy: &'p Policy,
+    pub(super) policy: &'p Policy,
     assets: HashMap<Source, std::result::Result<Asset, String>>,
     /// All images of the scene, those of its meshes included.
-    pub(super) images: Images,
+    images: Images,
     pub(super) warnings: Vec<String>,
 }
 
 impl<'p> Library<'p> {
-    pub(super) fn new(folder: &'p Path, policy: &'p Policy) -> Self {
+    /// Loads meshes from a folder, and their images beside those that are loaded.
+    pub(super) fn new(folder: &'p Path, policy: &'p Policy, images: Images) -> Self {
         Self {
             folder,
             policy,
             assets: HashMap::new(),
-            images: Images::new(ImageOptions::of(policy, root(folder, policy))),
+            images,
             warnings: Vec::new(),
         }
     }
@@ -165,14 +167,15 @@ impl<'p> Library<'p> {
     }
 }
 
-/// The folder that files must lie under, if there is one.
-fn root(folder: &Path, policy: &Policy) -> Option<PathBuf> {
-    (!policy.allow_outside).then(|| folder.to_owned())
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::image_file::ImageFiles;
     use super::*;
+
+    fn library<'p>(folder: &'p Path, policy: &'p Policy) -> Library<'p> {
+        let images = ImageFiles::new(folder, policy).into_images();
+        Library::new(folder, policy, images)
+    }
 
     fn asset() -> Asset {
         let mesh = Mesh {
@@ -254,12 +257,12 @@ mod tests {
             ..Policy::default()
         };
         let enough = policy(4);
-        let mut library = Library::new(folder.path(), &enough);
+        let mut library = library(folder.path(), &enough);
         let first = texture(&mut library, "a.obj").expect("a mesh");
         assert!(first.is_some());
         assert_eq!(texture(&mut library, "b.obj"), Ok(first));
         let short = policy(3);
-        let refusal = texture(&mut Library::new(folder.path(), &short), "a.obj");
+        let refusal = texture(&mut self::library(folder.path(), &short), "a.obj");
         let message = refusal.expect_err("too large");
         assert!(message.contains("a.mtl:2: map_Kd"), "{message}");
         assert!(message.contains("more than the 3 allowed"), "{message}");

@@ -1,7 +1,5 @@
 //! Drafts to shapes: meshes are loaded, grids expanded, both within limits.
 
-use std::path::Path;
-
 use super::asset::{Library, Source};
 use super::faults::Faults;
 use super::group::Contents;
@@ -27,12 +25,10 @@ pub(super) struct Expanded {
 pub(super) fn expand(
     contents: Contents,
     mut palette: Palette,
-    folder: &Path,
-    policy: &Policy,
+    mut library: Library<'_>,
     faults: &mut Faults<'_>,
 ) -> Option<Expanded> {
-    let mut library = Library::new(folder, policy);
-    let mut budget = Budget::new(policy);
+    let mut budget = Budget::new(library.policy);
     let mut shapes = Vec::new();
     let mut origins = Vec::new();
     let mut groups = contents.groups;

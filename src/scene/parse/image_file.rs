@@ -1,41 +1,40 @@
-//! The images that a scene asks for: each loaded once, however often it is used.
+//! The images that a scene file names.
 
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::faults::Faults;
 use super::value::{Value, text};
-use crate::Result;
 use crate::scene::policy::Policy;
-use crate::scene::texels::{self, ImageOptions};
+use crate::scene::texels::{Image, ImageOptions, Images};
 use crate::scene::{Texels, check};
 
 /// The endings of the files that hold more than the 8 bits of a screen.
 const WIDE_RANGE: [&str; 2] = ["exr", "hdr"];
 
-/// An image in order.
-#[derive(Clone)]
-struct Image {
-    texels: Arc<Texels>,
-    /// The largest part of its colours.
-    largest: f32,
-}
-
-/// Loads each image once.
-pub(super) struct Images<'p> {
+/// Loads the images that a scene file names.
+pub(super) struct ImageFiles<'p> {
     folder: &'p Path,
-    policy: &'p Policy,
-    loaded: HashMap<PathBuf, std::result::Result<Image, String>>,
+    /// All images of the scene, those of its meshes too.
+    images: Images,
 }
 
-impl<'p> Images<'p> {
-    pub(super) fn new(folder: &'p Path, policy: &'p Policy) -> Self {
+/// The folder that files must lie under, if there is one.
+pub(super) fn root(folder: &Path, policy: &Policy) -> Option<PathBuf> {
+    (!policy.allow_outside).then(|| folder.to_owned())
+}
+
+impl<'p> ImageFiles<'p> {
+    pub(super) fn new(folder: &'p Path, policy: &Policy) -> Self {
         Self {
             folder,
-            policy,
-            loaded: HashMap::new(),
+            images: Images::new(ImageOptions::of(policy, root(folder, policy))),
         }
+    }
+
+    /// What is loaded so far, and the room that is left.
+    pub(super) fn into_images(self) -> Images {
+        self.images
     }
 
     /// The image that an albedo is multiplied with.
@@ -46,7 +45,8 @@ impl<'p> Images<'p> {
     ) -> Option<Arc<Texels>> {
         let name = text(file, "file", faults)?;
         let image = self.get(file, &name, faults)?;
-        let verdict = check::brightest_texel(image.largest);
+        let path = self.folder.join(&name).display().to_string();
+        let verdict = check::brightest_texel(image.largest).map_err(|flaw| flaw.at(&path));
         faults.judge(file.span(), verdict).then_some(image.texels)
     }
 
@@ -71,73 +71,13 @@ impl<'p> Images<'p> {
     }
 
     fn get(&mut self, file: &Value<'_>, name: &str, faults: &mut Faults<'_>) -> Option<Image> {
-        let (folder, policy) = (self.folder, self.policy);
-        let image = self.loaded.entry(name.into()).or_insert_with(|| {
-            let texels = load_texels(folder, name, policy).map_err(|error| error.to_string())?;
-            let largest = check::texels(&texels)
-                .map_err(|flaw| format!("{}: {}", folder.join(name).display(), flaw.message))?;
-            let texels = Arc::new(texels);
-            Ok(Image { texels, largest })
-        });
-        match image {
-            Ok(image) => Some(image.clone()),
-            Err(message) => {
+        match self.images.image(&self.folder.join(name)) {
+            Ok(image) => Some(image),
+            Err(error) => {
                 let help = "the path is relative to the scene file's folder";
-                faults.push(file.span(), message.clone(), "cannot be used", help);
+                faults.push(file.span(), error.to_string(), "cannot be used", help);
                 None
             }
         }
-    }
-}
-
-/// The texels of an image file in the scene's folder.
-fn load_texels(folder: &Path, name: &str, policy: &Policy) -> Result<Texels> {
-    let root = (!policy.allow_outside).then(|| folder.to_owned());
-    texels::load(&folder.join(name), &ImageOptions::of(policy, root))
-}
-
-#[cfg(test)]
-mod tests {
-    use toml::de::DeTable;
-
-    use super::*;
-
-    /// Images of a grey each, as if they had been read.
-    fn with(greys: &[(&str, f32)]) -> HashMap<PathBuf, std::result::Result<Image, String>> {
-        let image = |&(name, grey): &(&str, f32)| {
-            let texels = Texels {
-                name: name.into(),
-                width: 1,
-                height: 1,
-                texels: vec![[grey, 0.0, 0.0, 1.0]],
-            };
-            let largest = check::texels(&texels).map_err(|flaw| flaw.message);
-            let image = largest.map(|largest| Image {
-                texels: Arc::new(texels),
-                largest,
-            });
-            (PathBuf::from(name), image)
-        };
-        greys.iter().map(image).collect()
-    }
-
-    #[test]
-    fn an_image_is_kept_and_an_albedo_ends_at_1() {
-        let policy = Policy::default();
-        let mut images = Images::new(Path::new("."), &policy);
-        images.loaded = with(&[("white.exr", 1.0), ("lamp.exr", 9.0)]);
-        let text = "white = 'white.exr'\nlamp = 'lamp.exr'\n";
-        let table = DeTable::parse(text).expect("two keys");
-        let file = |key| table.get_ref().get(key).expect("a key");
-        let mut faults = Faults::new(text, Vec::new(), Vec::new());
-        let first = images.albedo(file("white"), &mut faults).expect("white");
-        let second = images
-            .wide_range(file("white"), &mut faults)
-            .expect("white");
-        assert!(Arc::ptr_eq(&first, &second));
-        assert!(images.wide_range(file("lamp"), &mut faults).is_some());
-        assert!(faults.is_empty());
-        assert!(images.albedo(file("lamp"), &mut faults).is_none());
-        assert!(!faults.is_empty());
     }
 }

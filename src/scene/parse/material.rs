@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::faults::Faults;
-use super::image_file::Images;
+use super::image_file::ImageFiles;
 use super::near::suggestion;
 use super::section::{Found, Section};
 use super::surface::surface;
@@ -39,7 +39,7 @@ impl Palette {
     pub(super) fn read(
         &mut self,
         mut section: Section<'_, '_>,
-        images: &mut Images<'_>,
+        images: &mut ImageFiles<'_>,
         faults: &mut Faults<'_>,
     ) {
         let name = section.required("name", faults, text);

@@ -3,7 +3,7 @@
 use toml::de::DeValue;
 
 use super::faults::Faults;
-use super::image_file::Images;
+use super::image_file::ImageFiles;
 use super::section::Section;
 use super::value::{Value, albedo, choice, color, fractions, number, pair, ruled, triple, whole};
 use crate::scene::{Material, Pattern, Rgb, Texture, check};
@@ -31,7 +31,7 @@ enum Albedo {
 /// Reads the keys. A fault is in the list; the default stands in.
 pub(super) fn surface(
     section: &mut Section<'_, '_>,
-    images: &mut Images<'_>,
+    images: &mut ImageFiles<'_>,
     faults: &mut Faults<'_>,
 ) -> Surface {
     let mut material = Material::default();
@@ -102,7 +102,11 @@ fn random(value: &Value<'_>, faults: &mut Faults<'_>) -> Option<Albedo> {
     seed.map(|found| Albedo::Random(found.value))
 }
 
-fn texture(value: &Value<'_>, images: &mut Images<'_>, faults: &mut Faults<'_>) -> Option<Texture> {
+fn texture(
+    value: &Value<'_>,
+    images: &mut ImageFiles<'_>,
+    faults: &mut Faults<'_>,
+) -> Option<Texture> {
     let mut section = Section::within("texture", value, faults)?;
     let repeat = section.or("repeat", [1.0; 2], faults, pair(ruled(number, check::size)));
     let size = section.or("size", 1.0, faults, ruled(number, check::size));

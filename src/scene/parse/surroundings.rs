@@ -1,7 +1,7 @@
 //! `[background]`, `[environment]`, `[fog]` and `[ambient]`.
 
 use super::faults::Faults;
-use super::image_file::Images;
+use super::image_file::ImageFiles;
 use super::section::Section;
 use super::value::{albedo, color, number, ruled};
 use crate::scene::{Background, Environment, Fog, Rgb, Sky, check};
@@ -29,7 +29,7 @@ pub(super) fn background(section: Option<Section<'_, '_>>, faults: &mut Faults<'
 
 pub(super) fn environment(
     section: Option<Section<'_, '_>>,
-    images: &mut Images<'_>,
+    images: &mut ImageFiles<'_>,
     faults: &mut Faults<'_>,
 ) -> Option<Environment> {
     let mut section = section?;

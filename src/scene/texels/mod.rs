@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Texels;
+use super::check;
 use super::guard::{Guard, Refusal};
 use super::policy::Policy;
 use crate::{Error, Result};
@@ -63,9 +64,18 @@ pub fn load(path: &Path, options: &ImageOptions) -> Result<Texels> {
 #[derive(Debug)]
 pub struct Images {
     options: ImageOptions,
-    known: HashMap<PathBuf, Arc<Texels>>,
+    /// Each image, or what is wrong with its file.
+    known: HashMap<PathBuf, std::result::Result<Image, String>>,
     /// Texels of all that is known.
     texels: u64,
+}
+
+/// An image that keeps the rules of a scene.
+#[derive(Debug, Clone)]
+pub(super) struct Image {
+    pub texels: Arc<Texels>,
+    /// The largest part of its colours.
+    pub largest: f32,
 }
 
 impl Images {
@@ -81,17 +91,42 @@ impl Images {
     /// The image of a file, as [`load`] reads it.
     ///
     /// # Errors
-    /// As there; all images together keep [`ImageOptions::max_texels`].
+    /// As there; where an image breaks the rules of a scene ([`Scene::validate`](super::Scene::validate));
+    /// all images together keep [`ImageOptions::max_texels`].
     pub fn load(&mut self, path: &Path) -> Result<Arc<Texels>> {
+        self.image(path).map(|image| image.texels)
+    }
+
+    /// The same, with its largest colour.
+    pub(super) fn image(&mut self, path: &Path) -> Result<Image> {
         // A file that is not there has no other name, and the reader words the error.
         let key = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         if let Some(known) = self.known.get(&key) {
-            return Ok(Arc::clone(known));
+            let known = known.clone();
+            return known.map_err(|message| asset_error(path, message));
         }
-        let image = Arc::new(read(path, &self.options, self.texels)?);
-        self.texels += image.texels.len() as u64;
-        self.known.insert(key, Arc::clone(&image));
-        Ok(image)
+        let image = self.read(path);
+        match &image {
+            Ok(image) => {
+                self.texels += image.texels.texels.len() as u64;
+                self.known.insert(key, Ok(image.clone()));
+            }
+            Err(Error::Asset { message, .. }) => {
+                self.known.insert(key, Err(message.clone()));
+            }
+            // Of the machine, not of the file.
+            Err(_) => {}
+        }
+        image
+    }
+
+    fn read(&self, path: &Path) -> Result<Image> {
+        let texels = read(path, &self.options, self.texels)?;
+        let largest = check::texels(&texels).map_err(|flaw| asset_error(path, flaw.message))?;
+        Ok(Image {
+            texels: Arc::new(texels),
+            largest,
+        })
     }
 }
 
