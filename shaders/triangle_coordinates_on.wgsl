@@ -13,7 +13,8 @@ fn vertex_uv_at(vertex: u32) -> vec2<f32> {
 // The texture coordinates of the place where a triangle was hit: those of its corners,
 // weighted. None where all of these are 0, 0: so has it who has none.
 fn triangle_coordinates(ray: Ray, hit: Hit, coordinates: ptr<function, vec2<f32>>) -> bool {
-    if hit.id < tables.first_triangle || sampling.vertex_uvs == NO_COORDINATES {
+    let uvs = hidden_end(sampling.vertex_uvs, f32(ray.direction.x));
+    if hit.id < tables.first_triangle || uvs == NO_COORDINATES {
         return false;
     }
     let corners = corners_at(hit.row);
