@@ -144,10 +144,9 @@ struct Pixel {
     tests: u32,
 }
 
-// What loops and branches may be decided by alone comes first: see `hidden` in scene.wgsl.
 @group(0) @binding(0) var<uniform> dispatch: Dispatch;
-@group(0) @binding(1) var<uniform> tables: Tables;
+@group(0) @binding(1) var<uniform> camera: array<array<vec4<f32>, PARTS>, 3>;
 @group(0) @binding(2) var<uniform> surroundings: Surroundings;
-@group(0) @binding(3) var<uniform> camera: array<array<vec4<f32>, PARTS>, 3>;
+@group(0) @binding(3) var<uniform> tables: Tables;
 @group(0) @binding(4) var<storage, read_write> hits: array<HitRecord>;
 @group(0) @binding(5) var<storage, read_write> pixels: array<Pixel>;

@@ -25,6 +25,12 @@ impl AdapterDescription {
         self.kind == "software"
     }
 
+    /// Whether the driver notes in the wrong place by which uniforms something is decided, and
+    /// does harm by that: Mesa's lavapipe, see `docs/wgsl.md`.
+    pub fn misplaces_uniforms(&self) -> bool {
+        self.name.contains("llvmpipe")
+    }
+
     /// Describes an adapter.
     pub fn of(adapter: &wgpu::Adapter) -> Self {
         let info = adapter.get_info();

@@ -43,7 +43,12 @@ impl Gpu {
         if let Some((_, kernel)) = self.kernels.kept().iter().find(|kept| of_key(kept)) {
             return Ok(kernel.clone());
         }
-        let kernel = self.compile(&Program::in_width(files, width)?)?;
+        let program = if self.adapter.misplaces_uniforms() && files.iter().any(takes_samples) {
+            Program::without_uniforms(files, width)?
+        } else {
+            Program::in_width(files, width)?
+        };
+        let kernel = self.compile(&program)?;
         let mut kept = self.kernels.kept();
         if kept.len() == MOST_KEPT {
             kept.remove(0);
@@ -165,6 +170,11 @@ impl Gpu {
             })
             .collect()
     }
+}
+
+/// Whether a shader with this file takes samples: it decides a lot by uniforms.
+fn takes_samples(file: &Source) -> bool {
+    file.name == "samples.wgsl"
 }
 
 fn binding_type(access: Access) -> wgpu::BindingType {

@@ -58,7 +58,7 @@ impl Program {
     ///
     /// [`Error::Shader`] with file and line: a defect of the shader.
     pub fn build(files: &[Source]) -> Result<Self> {
-        Self::translate(files, false)
+        Self::translate(files, false, false)
     }
 
     /// The same for geometry of a width: in two f32, each f64 is rewritten as those, by
@@ -68,10 +68,20 @@ impl Program {
     ///
     /// As [`Program::build`], and where a use of f64 cannot be rewritten.
     pub fn in_width(files: &[Source], width: Width) -> Result<Self> {
-        Self::translate(files, width == Width::Extended)
+        Self::translate(files, width == Width::Extended, false)
     }
 
-    fn translate(files: &[Source], split: bool) -> Result<Self> {
+    /// The same, its uniform buffers but the scene's read as storage buffers: for drivers that
+    /// do harm with uniforms by which something is decided, see `docs/wgsl.md`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Program::in_width`].
+    pub fn without_uniforms(files: &[Source], width: Width) -> Result<Self> {
+        Self::translate(files, width == Width::Extended, true)
+    }
+
+    fn translate(files: &[Source], split: bool, stored: bool) -> Result<Self> {
         let assembly = Assembly::join(files);
         let mut module = naga::front::wgsl::parse_str(&assembly.wgsl).map_err(|error| {
             let place = error.location(&assembly.wgsl).map(|at| at.offset as usize);
@@ -81,6 +91,9 @@ impl Program {
         if split {
             module = split_reals(&module, &info).map_err(Error::Shader)?;
             validate(&module, &assembly)?;
+        }
+        if stored {
+            store_uniforms(&mut module);
         }
         // What no entry point reaches is removed, bindings included.
         naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
@@ -101,6 +114,17 @@ impl Program {
             .entry_points
             .iter()
             .map(|entry| entry.name.as_str())
+    }
+}
+
+/// Has uniform buffers but the scene's be storage buffers, which are only read.
+fn store_uniforms(module: &mut naga::Module) {
+    for (_, variable) in module.global_variables.iter_mut() {
+        if variable.space == AddressSpace::Uniform && variable.name.as_deref() != Some("scene") {
+            variable.space = AddressSpace::Storage {
+                access: StorageAccess::LOAD,
+            };
+        }
     }
 }
 

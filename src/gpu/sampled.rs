@@ -58,7 +58,7 @@ impl<'a, R: Real> Sampled<'a, R> {
         let [width, height] = flat.size;
         let max_rows = (most / width).clamp(1, height);
         let count = u64::from(max_rows) * u64::from(width);
-        let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+        let uniform = BufferUsages::UNIFORM | BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let dispatch = gpu.create_buffer("dispatch", size_of::<Dispatch>() as u64, uniform)?;
         let pixels = Shown::new(gpu, "pixels", count * bytes_of_pixel)?;
         let tallies = Shown::new(gpu, "tallies", count * size_of::<Tally>() as u64)?;

@@ -78,7 +78,8 @@ impl Gpu {
     ///
     /// As [`Gpu::create_buffer`].
     pub(super) fn upload_uniform(&self, name: &str, bytes: &[u8]) -> Result<wgpu::Buffer> {
-        let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+        // A storage buffer for drivers that do harm with uniforms.
+        let usage = BufferUsages::UNIFORM | BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let buffer = self.create_buffer(name, bytes.len() as u64, usage)?;
         self.queue.write_buffer(&buffer, 0, bytes);
         Ok(buffer)
