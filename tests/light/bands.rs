@@ -82,7 +82,7 @@ fn flats() -> [Flat<f32>; 2] {
 
 fn assert_bands_do_not_show(flat: &Flat<f32>, sampler: &mut dyn Sampler) -> Frame {
     let (whole, taken, starts) = in_bands(flat, sampler, 1000, None);
-    assert_eq!(starts, [0..30]);
+    assert_eq!((starts.len(), starts[0].clone()), (1, 0..30));
     for rows in [1, 7, 8, 29, 30] {
         let (frame, taken_now, starts) = in_bands(flat, sampler, rows, None);
         assert_same_bits(&frame, &whole);

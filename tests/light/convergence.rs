@@ -9,10 +9,10 @@ use crate::sampled::{ERRORS, Mean};
 use crate::scenes::{picture, room};
 
 /// Samples of the picture that stands for what all pictures come to.
-const CONVERGED: u32 = 4096;
+const CONVERGED: u32 = 2048;
 
 fn of(samples: u32, seed: u32) -> Scene {
-    let mut scene = room(24, samples, 1);
+    let mut scene = room(20, samples, 1);
     scene.integrator.seed = seed;
     scene
 }
@@ -60,8 +60,8 @@ fn four_times_the_samples_halve_the_error() {
         })
     };
     // What the converged picture itself is off by, a part of CONVERGED / 256, counts as well:
-    // by a part in 32 of the root.
-    let most = |one: &Off, two: &Off| 1.0 + ERRORS * one.unsure.hypot(two.unsure) + 1.0 / 32.0;
+    // by a part in 16 of the root.
+    let most = |one: &Off, two: &Off| 1.0 + ERRORS * one.unsure.hypot(two.unsure) + 1.0 / 16.0;
     let errors_now = errors(1.0);
     for (index, pair) in errors_now.windows(2).enumerate() {
         let [one, two] = pair else { unreachable!() };

@@ -8,11 +8,11 @@ use rayproof::kernel::integrator::sample_pixel;
 use rayproof::kernel::tally::add_sample;
 use rayproof::layout::{Pixel, Tally};
 use rayproof::render::Backend;
-use rayproof::scene::Light;
+use rayproof::scene::{Geometry, Light, Scene};
 use rayproof::tier::Textbook;
 
 use crate::common::{assert_same_bits, compare, gpu};
-use crate::scenes::room;
+use crate::scenes::{matt, room, shape};
 use crate::volumes::{by, grouped};
 
 #[test]
@@ -69,6 +69,31 @@ fn textbook_paths_agree_by_the_same_tree() {
     }
 }
 
+/// A ball so far away that two f32 and f64 see it differently, in as many lights.
+fn far_ball(lights: usize) -> Scene {
+    let far = 1e8;
+    let ball = Geometry::Sphere {
+        center: DVec3::ZERO,
+        radius: 1.0,
+    };
+    let light = Light::Directional {
+        direction: DVec3::new(0.3, 1.0, 0.5),
+        color: [1.0 / lights as f64; 3],
+        shadow: false,
+    };
+    let mut scene = Scene {
+        materials: vec![matt([0.8; 3])],
+        shapes: vec![shape(ball, 0)],
+        lights: vec![light; lights],
+        ..Scene::default()
+    }
+    .with_size(16, 16);
+    scene.camera.eye = DVec3::Z * far;
+    scene.camera.target = DVec3::ZERO;
+    scene.camera.fov_degrees = (2.5 / far).to_degrees();
+    scene
+}
+
 /// Where a device has no f64, two f32 stand for them: with paths, and without where rays in doubt
 /// cannot be traced again, for there are too many lights.
 #[test]
@@ -78,21 +103,10 @@ fn adaptive_does_without_f64() {
     assert!(device.lacks(Accuracy::Double).is_some());
     let without = Backend::Gpu(Box::new(device));
     let with = Backend::Gpu(Box::new(gpu()));
-    let mut many_lights = grouped();
-    many_lights.integrator.samples = 1;
-    many_lights.integrator.bounces = 0;
-    many_lights.environment = None;
-    many_lights.materials.truncate(3);
-    for shape in &mut many_lights.shapes {
-        shape.material = shape.material.min(2);
-    }
-    let light = Light::Directional {
-        direction: DVec3::new(0.3, 1.0, 0.5),
-        color: [1e-3; 3],
-        shadow: false,
-    };
-    many_lights.lights = vec![light; 1001];
-    for scene in [grouped(), many_lights] {
+    let mut paths = far_ball(1);
+    paths.integrator.samples = 4;
+    paths.integrator.bounces = 1;
+    for scene in [paths, far_ball(1001)] {
         let on = |backend, accuracy| by(&scene, backend, accuracy, Bounds::Tree);
         let found = on(&without, Accuracy::Adaptive);
         assert_same_bits(&found, &on(&with, Accuracy::Extended));
