@@ -13,7 +13,7 @@ use rayproof::scene::policy::Policy;
 use rayproof::{Accuracy, Backend, Frame, Scene, Unwatched, render};
 
 /// The scenes, and the effects that each is there to show.
-const GALLERY: [(&str, &[&str]); 6] = [
+const GALLERY: [(&str, &[&str]); 7] = [
     ("cornell", &["soft shadows", "indirect light"]),
     (
         "glass-and-mirrors",
@@ -29,6 +29,7 @@ const GALLERY: [(&str, &[&str]); 6] = [
     ("soft-knot", &["soft shadows", "triangles"]),
     ("fog", &["fog", "soft shadows"]),
     ("sky-teapot", &["environment", "glossy reflection"]),
+    ("motion", &["motion blur", "alpha cut-outs"]),
 ];
 
 fn scene(name: &str) -> Scene {

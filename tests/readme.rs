@@ -238,10 +238,10 @@ fn lines(text: &str) -> Vec<String> {
 
 fn folder_with_scenes() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for scenes in ["assets/scenes", "assets/scenes/skies"] {
-        let copies = folder.path().join(scenes);
+    for scenes in ["", "skies", "textures"].map(|part| format!("assets/scenes/{part}")) {
+        let copies = folder.path().join(&scenes);
         fs::create_dir_all(&copies).unwrap();
-        for entry in fs::read_dir(Path::new(ROOT).join(scenes)).unwrap() {
+        for entry in fs::read_dir(Path::new(ROOT).join(&scenes)).unwrap() {
             let file = entry.unwrap().path();
             if file.is_file() {
                 fs::copy(&file, copies.join(file.file_name().unwrap())).unwrap();
