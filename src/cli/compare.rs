@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::Outcome;
 use super::flags::{Common, CompareArguments};
+use super::paths::warn_of_faults;
 use super::progress::Progress;
 use super::report::{self, table};
 use rayproof::compare::{
@@ -112,6 +113,7 @@ fn scenes(arguments: &CompareArguments, right: &Path, common: &Common) -> Result
     let progress = Progress::new(common, cpu_name.clone());
     let on_cpu = render(&right_scene, &cpu, settings, &progress)?;
     drop(progress);
+    warn_of_faults(&on_cpu.stats);
     let mut comparison = compare_frames(&on_gpu.frame, &on_cpu.frame, &tolerance)?;
     comparison.left = name;
     comparison.right = cpu_name;

@@ -1,6 +1,7 @@
 //! What users are told of scenes whose pictures are made of paths of light.
 
 use rayproof::effects::path_effects_of;
+use rayproof::render::Stats;
 use rayproof::scene::Scene;
 
 /// Warns where a scene calls for paths of light and something is done to the camera's rays
@@ -22,5 +23,16 @@ pub(super) fn a_pixel_of(paths: bool, samples: u32) -> String {
         (false, _) => "one ray a pixel".into(),
         (true, 1) => "one path a pixel".into(),
         (true, samples) => format!("{samples} paths a pixel"),
+    }
+}
+
+/// Says so where samples were left out.
+pub(super) fn warn_of_faults(stats: &Stats) {
+    if let Some([x, y]) = stats.first_fault {
+        tracing::warn!(
+            "{} samples were infinite or not a number, and are left out; \
+             the first one is in pixel ({x}, {y})",
+            stats.faults
+        );
     }
 }

@@ -104,7 +104,7 @@ fn measure(
         Cost {
             with_ms: whole.median * 1e3,
             without_ms: rest.median * 1e3,
-            share: times[0].speedup_over(left).median,
+            share: 1.0 - rest.median / whole.median,
         }
     });
     Ok(names.into_iter().zip(costs).collect())

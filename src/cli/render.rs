@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Outcome;
 use super::flags::{Common, RenderArguments};
-use super::paths::warn_of_paths;
+use super::paths::{warn_of_faults, warn_of_paths};
 use super::progress::Progress;
 use super::report::{self, table};
 use super::shown::{Shown, Written, one_layer_of};
@@ -141,17 +141,6 @@ impl Written<'_> {
             Format::Png => self.write_png(output, shown[0], self.scene.image.transfer),
             Format::Exr => self.write_exr(output, shown),
         }
-    }
-}
-
-/// Says so where samples were left out.
-fn warn_of_faults(stats: &Stats) {
-    if let Some([x, y]) = stats.first_fault {
-        tracing::warn!(
-            "{} samples were infinite or not a number, and are left out; \
-             the first one is in pixel ({x}, {y})",
-            stats.faults
-        );
     }
 }
 

@@ -63,8 +63,34 @@ fn table(title: &str, origin: &Origin, calls: bool) -> Option<Cause> {
     })
 }
 
-fn shape(scene: &Scene, kind: &str, calls: impl Fn(&Shape) -> bool) -> Option<Cause> {
-    first(kind, &scene.shapes, &scene.origins.shapes, calls, |_| None)
+/// A shape without a name is counted among those of its kind, as in the file.
+fn shape(scene: &Scene, calls: impl Fn(&Shape) -> bool) -> Option<Cause> {
+    let index = scene.shapes.iter().position(&calls)?;
+    let kind = kind_of(&scene.shapes[index]);
+    let before = scene.shapes[..index].iter();
+    let number = 1 + before.filter(|other| kind_of(other) == kind).count();
+    let more = scene.shapes[index + 1..]
+        .iter()
+        .filter(|shape| calls(shape));
+    let origin = scene.origins.shapes.get(index).cloned().unwrap_or_default();
+    Some(Cause {
+        what: match origin.name {
+            Some(name) => format!("{kind} \"{name}\""),
+            None => format!("{kind} {number}"),
+        },
+        line: origin.line,
+        more: more.count(),
+    })
+}
+
+fn kind_of(shape: &Shape) -> &'static str {
+    match shape.geometry {
+        Geometry::Sphere { .. } => "sphere",
+        Geometry::Plane { .. } => "plane",
+        Geometry::Disk { .. } => "disk",
+        Geometry::Triangle { .. } => "triangle",
+        Geometry::Mesh(_) => "mesh",
+    }
 }
 
 fn light(scene: &Scene, kind: &str, calls: impl Fn(&Light) -> bool) -> Option<Cause> {
@@ -79,8 +105,7 @@ fn material(scene: &Scene, calls: impl Fn(&Material) -> bool) -> Option<Cause> {
 
 pub(super) fn spheres(scene: &Scene) -> Option<Cause> {
     let is_sphere = |shape: &Shape| matches!(shape.geometry, Geometry::Sphere { .. });
-    shape(scene, "sphere", is_sphere)
-        .or_else(|| lamp(scene, |form| matches!(form, AreaForm::Sphere { .. })))
+    shape(scene, is_sphere).or_else(|| lamp(scene, |form| matches!(form, AreaForm::Sphere { .. })))
 }
 
 pub(super) fn near_spheres(scene: &Scene) -> Option<Cause> {
@@ -89,18 +114,20 @@ pub(super) fn near_spheres(scene: &Scene) -> Option<Cause> {
         Geometry::Sphere { center, radius } => is_near_sphere(shape, center, radius, eye),
         _ => false,
     };
-    shape(scene, "the camera near shape", is_near)
+    shape(scene, is_near).map(|cause| Cause {
+        what: format!("the camera, near {}", cause.what),
+        ..cause
+    })
 }
 
 pub(super) fn planes(scene: &Scene) -> Option<Cause> {
     let is_plane = |shape: &Shape| matches!(shape.geometry, Geometry::Plane { .. });
-    shape(scene, "plane", is_plane)
+    shape(scene, is_plane)
 }
 
 pub(super) fn disks(scene: &Scene) -> Option<Cause> {
     let is_disk = |shape: &Shape| matches!(shape.geometry, Geometry::Disk { .. });
-    shape(scene, "disk", is_disk)
-        .or_else(|| lamp(scene, |form| matches!(form, AreaForm::Disk { .. })))
+    shape(scene, is_disk).or_else(|| lamp(scene, |form| matches!(form, AreaForm::Disk { .. })))
 }
 
 pub(super) fn triangles(scene: &Scene) -> Option<Cause> {
@@ -109,7 +136,7 @@ pub(super) fn triangles(scene: &Scene) -> Option<Cause> {
         Geometry::Mesh(mesh) => !mesh.triangles.is_empty(),
         _ => false,
     };
-    shape(scene, "mesh", has_some)
+    shape(scene, has_some)
         .or_else(|| lamp(scene, |form| matches!(form, AreaForm::Rectangle { .. })))
 }
 
@@ -118,7 +145,7 @@ pub(super) fn smooth_normals(scene: &Scene) -> Option<Cause> {
         Geometry::Mesh(mesh) => !mesh.triangle_normals.is_empty(),
         _ => false,
     };
-    shape(scene, "mesh", is_smooth)
+    shape(scene, is_smooth)
 }
 
 pub(super) fn point_lights(scene: &Scene) -> Option<Cause> {
@@ -183,7 +210,7 @@ pub(super) fn depth_of_field(scene: &Scene) -> Option<Cause> {
 
 pub(super) fn motion_blur(scene: &Scene) -> Option<Cause> {
     let moves = scene.camera.velocity != DVec3::ZERO;
-    shape(scene, "shape", |shape| shape.velocity != DVec3::ZERO)
+    shape(scene, |shape| shape.velocity != DVec3::ZERO)
         .or_else(|| table("the velocity of [camera]", &scene.origins.camera, moves))
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::Part;
 use super::set::named;
 use crate::error::{Error, Result};
 use crate::scene::{Geometry, Light, Mesh, Scene};
@@ -12,13 +13,17 @@ use crate::scene::{Geometry, Light, Mesh, Scene};
 ///
 /// # Errors
 ///
-/// [`Error::Usage`] for a name that no effect has, and for volumes, which the settings ask
-/// for.
+/// [`Error::Usage`] for a name that no effect has, for shapes, and for volumes, which the
+/// settings ask for.
 pub fn without(scene: &Scene, name: &str) -> Result<Scene> {
     let effect = named(name)?;
     let Some(remove) = effect.removal else {
+        let reason = match effect.part {
+            Part::Bounds | Part::Screen => "`--bounds` chooses the volumes",
+            _ => "it comes with the scene's shapes",
+        };
         return Err(Error::Usage(format!(
-            "`{name}` cannot be left out: it goes with the shapes, and `--bounds`"
+            "`{name}` cannot be left out: {reason}"
         )));
     };
     let mut left = scene.clone();

@@ -96,8 +96,11 @@ fn split(names: [&str; 3], pixels: &[[f32; 3]]) -> [AnyChannel<FlatSamples>; 3] 
     })
 }
 
-/// Decodes an EXR file's bytes, of at most `max_pixels` pixels; `path` is for messages.
-pub(crate) fn read(path: &Path, file: &[u8], max_pixels: u64) -> Result<(u32, u32, PictureValues)> {
+/// Whether a picture of this width and height may be decoded; else why not.
+pub(crate) type Fits<'a> = &'a dyn Fn(u64, u64) -> std::result::Result<(), String>;
+
+/// Decodes an EXR file's bytes, if its size fits; `path` is for messages.
+pub(crate) fn read(path: &Path, file: &[u8], fits: Fits<'_>) -> Result<(u32, u32, PictureValues)> {
     let broken = |e: exr::error::Error| asset_error(path, format!("broken EXR: {e}"));
     let refused = |what: String| asset_error(path, format!("this EXR {what}"));
 
@@ -130,10 +133,7 @@ pub(crate) fn read(path: &Path, file: &[u8], max_pixels: u64) -> Result<(u32, u3
         u32::try_from(pixels).map_err(|_| refused(format!("is {pixels} pixels on one side")))
     };
     let (width, height) = (side(header.layer_size.0)?, side(header.layer_size.1)?);
-    if u64::from(width) * u64::from(height) > max_pixels {
-        let message = format!("has {width} x {height} pixels, more than the {max_pixels} allowed");
-        return Err(refused(message));
-    }
+    fits(width.into(), height.into()).map_err(|message| asset_error(path, message))?;
     reserve_pixels(width, height, BYTES_PER_SAMPLE * channels.len() as u64)?;
 
     let image = exr::prelude::read()

@@ -16,7 +16,7 @@ fn endless_scene() -> String {
 }
 
 /// Work that is killed, should a test fail before its end.
-struct Work(Child);
+pub(super) struct Work(Child);
 
 impl Drop for Work {
     fn drop(&mut self) {
@@ -26,7 +26,7 @@ impl Drop for Work {
 }
 
 impl Work {
-    fn start(room: &Room, line: &str) -> Self {
+    pub(super) fn start(room: &Room, line: &str) -> Self {
         let child = Command::new(RAYPROOF)
             .args(line.split_whitespace())
             .current_dir(room.0.path())
@@ -36,7 +36,7 @@ impl Work {
         Self(child.expect("a process"))
     }
 
-    fn signal(&self, name: &str) {
+    pub(super) fn signal(&self, name: &str) {
         let id = self.0.id().to_string();
         let sent = Command::new("sh")
             .args(["-c", "kill -s $0 $1", name, &id])
@@ -62,7 +62,7 @@ impl Work {
     }
 
     /// Waits for the first line on standard error.
-    fn await_progress(&mut self) {
+    pub(super) fn await_progress(&mut self) {
         let stderr = self.0.stderr.take().expect("piped");
         let mut lines = BufReader::new(stderr);
         let mut line = String::new();
@@ -72,8 +72,13 @@ impl Work {
         std::thread::spawn(move || std::io::copy(&mut lines, &mut std::io::sink()));
     }
 
+    /// Whether it has not ended.
+    pub(super) fn is_running(&mut self) -> bool {
+        self.0.try_wait().expect("a child").is_none()
+    }
+
     /// The exit code, and how long it took.
-    fn end(&mut self) -> (Option<i32>, Duration) {
+    pub(super) fn end(&mut self) -> (Option<i32>, Duration) {
         let started = Instant::now();
         loop {
             if let Some(status) = self.0.try_wait().expect("a child") {
@@ -86,7 +91,7 @@ impl Work {
 }
 
 /// The grace of two seconds, on a busy machine.
-const SOON: Duration = Duration::from_secs(8);
+pub(super) const SOON: Duration = Duration::from_secs(8);
 
 #[test]
 fn an_interrupt_ends_a_render_and_leaves_the_old_file() {
@@ -163,10 +168,7 @@ fn a_second_interrupt_ends_at_once() {
     }
     work.signal("INT");
     std::thread::sleep(Duration::from_millis(300));
-    assert!(
-        work.0.try_wait().expect("a child").is_none(),
-        "the first one ended it"
-    );
+    assert!(work.is_running(), "the first one ended it");
     work.signal("INT");
     let (code, took) = work.end();
     assert_eq!(code, Some(130));

@@ -11,6 +11,8 @@ mod kills;
 mod limits;
 mod meshes;
 mod outputs;
+mod paths;
+mod plan;
 mod renders;
 mod stability;
 mod streams;

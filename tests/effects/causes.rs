@@ -1,9 +1,10 @@
 //! An effect is on where something in the scene calls for it, and that is named.
 
+use glam::DVec3;
 use rayproof::bounds::{Bounds, bound};
 use rayproof::effects::{EFFECTS, Effect, EffectSet, Part, without};
 use rayproof::flatten::flatten;
-use rayproof::scene::Scene;
+use rayproof::scene::{Geometry, Scene, Shape};
 
 use crate::scenes::{call_for, plain_scene};
 
@@ -57,6 +58,22 @@ fn a_cause_is_named_with_its_line() {
 }
 
 #[test]
+fn shapes_are_counted_among_those_of_their_kind() {
+    let mut scene = Scene::load("assets/scenes/shapes.toml").unwrap();
+    let cause = |scene: &Scene, name: &str| {
+        let effect = EFFECTS.iter().find(|effect| effect.name == name).unwrap();
+        effect.cause(scene).unwrap().what
+    };
+    assert_eq!(cause(&scene, "planes"), "plane 1");
+    assert_eq!(cause(&scene, "disks"), "disk 1");
+    assert_eq!(cause(&scene, "triangles"), "triangle 1");
+    let is_sphere = |shape: &&mut Shape| matches!(shape.geometry, Geometry::Sphere { .. });
+    let mut spheres = scene.shapes.iter_mut().filter(is_sphere);
+    spheres.nth(1).unwrap().velocity = DVec3::X;
+    assert_eq!(cause(&scene, "motion blur"), "sphere 2");
+}
+
+#[test]
 fn an_effect_can_be_taken_out_of_a_scene() {
     for effect in of_scenes().filter(|effect| effect.part == Part::Path) {
         let mut scene = plain_scene();
@@ -66,8 +83,10 @@ fn an_effect_can_be_taken_out_of_a_scene() {
         assert!(!is_on(effect, &left), "{}", effect.name);
         left.validate().unwrap();
     }
-    let error = without(&plain_scene(), "tree").unwrap_err().to_string();
-    assert!(error.contains("--bounds"), "{error}");
+    for (name, reason) in [("tree", "--bounds"), ("spheres", "the scene's shapes")] {
+        let error = without(&plain_scene(), name).unwrap_err().to_string();
+        assert!(error.contains(reason), "{error}");
+    }
     let error = without(&plain_scene(), "magic").unwrap_err().to_string();
     assert!(error.contains("anti-aliasing"), "{error}");
 }

@@ -163,7 +163,7 @@ pub fn call_for(name: &str, scene: &mut Scene) {
 fn image() -> Arc<Texels> {
     let texel = |index: u32| {
         let part = |step: u32| f32::from(u8::try_from(index * step % 11).unwrap()) / 10.0;
-        let alpha = if index % 3 == 0 { 0.0 } else { 1.0 };
+        let alpha = if index.is_multiple_of(3) { 0.0 } else { 1.0 };
         [part(3), part(5), part(7), alpha]
     };
     Arc::new(Texels {

@@ -50,7 +50,7 @@ pub(super) struct Cost {
     pub(super) with_ms: f64,
     /// Of the scene without the effect, another.
     pub(super) without_ms: f64,
-    /// How much faster the scene is without it: the median of the turns' ratios.
+    /// The part of the scene's time that it takes.
     pub(super) share: f64,
 }
 
@@ -167,7 +167,7 @@ fn folded(text: &str) -> String {
 
 fn head(is_measured: bool) -> Vec<String> {
     let cost: &[&str] = if is_measured {
-        &["cost ms", "of", "times"]
+        &["cost ms", "of", "part"]
     } else {
         &[]
     };
@@ -185,7 +185,7 @@ impl Row {
             Some((cost, cost_ms)) => cells.extend([
                 format!("{cost_ms:.1}"),
                 format!("{:.1}", cost.with_ms),
-                format!("{:.2}", cost.share),
+                format!("{:.0} %", 100.0 * cost.share),
             ]),
             None if is_measured => cells.extend(["", "", ""].map(String::from)),
             None => {}

@@ -122,7 +122,8 @@ fn hdr(file: &[u8], room: &Room) -> Decoded {
 }
 
 fn exr(path: &Path, file: &[u8], room: &Room) -> Result<Decoded> {
-    let (width, height, values) = exr::read(path, file, room.left())?;
+    let (width, height, values) =
+        exr::read(path, file, &|width, height| room.check(width, height))?;
     let (color, channels) = match values {
         PictureValues::Linear { color, channels } => (color, channels),
         PictureValues::Encoded { .. } => (None, Vec::new()),
