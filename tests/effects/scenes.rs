@@ -72,11 +72,11 @@ pub fn plain_scene() -> Scene {
         ],
         shapes: vec![
             shape(floor, Transform::default(), 0),
-            shape(teapot, at(0.9, -0.6, 0.2, 0.8), 0),
+            shape(teapot, at(0.9, -0.8, 0.2, 0.3), 0),
             shape(sphere.clone(), at(-0.9, 0.0, -0.4, 0.8), MIRROR),
             shape(sphere.clone(), at(-0.5, -0.4, 0.9, 0.4), CLEAR),
             shape(sphere.clone(), at(0.3, -0.3, 0.8, 0.4), COLORED),
-            shape(sphere, at(0.0, 0.5, 0.4, 0.3), SHINING),
+            shape(sphere, at(-0.1, 0.9, 0.0, 0.4), SHINING),
         ],
         ..Scene::default()
     };
