@@ -6,18 +6,17 @@ const IN_LENS: u32 = 1u;
 const IN_TIME: u32 = 2u;
 
 // On a leg: which lobe scatters, and where to; ambient light and the sky from where; how far
-// through fog, and where to; whether the path goes on; and where on a lamp, lamp by lamp.
+// through fog; whether the path goes on; and where on a lamp, lamp by lamp.
 const LOBE: u32 = 0u;
 const SCATTER: u32 = 1u;
 const AMBIENT: u32 = 2u;
 const SKY: u32 = 3u;
 const FOG_WAY: u32 = 4u;
-const FOG_SCATTER: u32 = 5u;
-const ROULETTE: u32 = 6u;
-const LAMP: u32 = 7u;
+const ROULETTE: u32 = 5u;
+const LAMP: u32 = 6u;
 
 // The pairs of a leg, from where on, and those of a lamp.
-const PAIRS_OF_LEG: u32 = 8u;
+const PAIRS_OF_LEG: u32 = 7u;
 const FIRST_LEG: u32 = 8u;
 const PAIRS_OF_LAMP: u32 = 65536u;
 

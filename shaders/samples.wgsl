@@ -1,10 +1,10 @@
 // The samples of a picture's pixels, one invocation and dispatch each.
 
 @group(0) @binding(16) var<storage, read_write> tallies: array<Tally>;
-@group(0) @binding(17) var<uniform> sampling: Sampling;
+@group(0) @binding(17) var<uniform> sampling: SamplingRecord;
 
 // How a picture is sampled, and where tables begin that only its samples read.
-struct Sampling {
+struct SamplingRecord {
     seed: u32,
     bounces: u32,
     reflections: u32,
@@ -68,9 +68,11 @@ fn sample_tile(
         sum = pixels[index];
         tally = tallies[index];
     }
-    add_sample(&sum, &tally, color);
     if sample.tests == GIVEN_UP || !loops_still_run(color.x) {
-        sum.tests = GIVEN_UP;
+        // It took more steps than the driver allows.
+        tally.faults += 1u;
+    } else {
+        add_sample(&sum, &tally, color);
     }
     pixels[index] = sum;
     tallies[index] = tally;

@@ -276,7 +276,8 @@ fn push_shape<R: Real>(flat: &mut Flat<R>, shape: &Shape, materials: &[Material]
             let first = flat.vertices.len() as u32;
             let id = flat.primitives();
             let mut placed = vertices.map(|v| real_vector(place(v, transform, eye)));
-            if is_turned_inside_out(transform, &materials[shape.material]) {
+            let material = materials.get(shape.material);
+            if material.is_some_and(|material| is_turned_inside_out(transform, material)) {
                 placed.swap(0, 1);
             }
             flat.vertices.extend(placed);

@@ -1,12 +1,15 @@
 //! From a scene to a picture: flatten, trace, collect.
 
-use std::num::NonZeroUsize;
+mod backend;
+mod counting;
+mod stats;
+
 use std::time::Instant;
 
-use serde::Serialize;
-
+pub use self::backend::Backend;
+pub use self::counting::{count, outlines};
+pub use self::stats::{Rendering, Stats};
 use crate::bounds::{self, Bounds};
-use crate::count::{CountMap, Counters};
 use crate::effects::{EffectSet, effects_of, takes_samples};
 use crate::error::{Error, Result};
 use crate::flat::Flat;
@@ -22,55 +25,6 @@ pub use crate::tier::Accuracy;
 use crate::tier::{Bounded, Double, Extended, Robust, Textbook, Width};
 use crate::watch::Watch;
 use crate::{cpu, gpu};
-
-/// What traces the rays.
-#[derive(Debug)]
-pub enum Backend {
-    /// The kernel, on so many threads, or on one for each core.
-    Cpu(Option<NonZeroUsize>),
-    /// The shaders, on an open device.
-    Gpu(Box<Gpu>),
-}
-
-impl Backend {
-    /// The best GPU adapter, software Vulkan included, or the CPU where there is
-    /// none.
-    ///
-    /// # Errors
-    ///
-    /// When there is an adapter but it does not open.
-    pub fn auto() -> Result<Self> {
-        match Gpu::open(None) {
-            Ok(gpu) => Ok(Self::Gpu(Box::new(gpu))),
-            Err(Error::NoAdapter(_)) => Ok(Self::Cpu(None)),
-            Err(error) => Err(error),
-        }
-    }
-
-    /// `cpu` or `gpu`.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Cpu(_) => "cpu",
-            Self::Gpu(_) => "gpu",
-        }
-    }
-
-    /// Why it does not trace with this accuracy, if it does not.
-    pub fn lacks(&self, accuracy: Accuracy) -> Option<String> {
-        match self {
-            Self::Cpu(_) => None,
-            Self::Gpu(gpu) => gpu.lacks(accuracy),
-        }
-    }
-
-    /// For people: which CPU path or which adapter.
-    pub fn describe(&self) -> String {
-        match self {
-            Self::Cpu(_) => "cpu".to_string(),
-            Self::Gpu(gpu) => format!("gpu ({})", gpu.adapter.name),
-        }
-    }
-}
 
 /// How to render.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -91,67 +45,6 @@ impl From<Accuracy> for Settings {
             ..Self::default()
         }
     }
-}
-
-/// A picture and how it came about.
-#[derive(Debug, Clone)]
-pub struct Rendering {
-    /// The picture.
-    pub frame: Frame,
-    /// How it came about.
-    pub stats: Stats,
-}
-
-/// How a picture came about.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Stats {
-    /// `cpu` or `gpu`.
-    pub backend: &'static str,
-    /// The adapter's name; none on the CPU.
-    pub adapter: Option<String>,
-    /// The adapter's driver; none on the CPU.
-    pub driver: Option<String>,
-    /// In pixels.
-    pub width: u32,
-    /// In pixels.
-    pub height: u32,
-    /// Rays through a pixel.
-    pub samples: u32,
-    /// The estimated error of a picture of samples, see [`Taken::noise`].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub noise: Option<f64>,
-    /// Samples that were no numbers, and left out.
-    #[serde(skip_serializing_if = "is_zero")]
-    pub faults: u64,
-    /// The first pixel that has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub first_fault: Option<[u32; 2]>,
-    /// Formulas and width.
-    pub accuracy: Accuracy,
-    /// The bounding volumes in use.
-    pub bounds: Bounds,
-    /// What the scene calls for.
-    pub effects: Vec<&'static str>,
-    /// Spheres, planes, disks and triangles.
-    pub primitives: u32,
-    /// From the scene in memory to the picture in memory.
-    pub seconds: f64,
-    /// The part of it in which rays were traced, upload and download included.
-    pub trace_ms: f64,
-    /// The part of it in which the bounding volumes were built.
-    pub build_ms: f64,
-    /// Rays traced through pixels, those that they lead to not counted.
-    pub rays: u64,
-    /// Those of them that were in doubt and traced again, in the adaptive tier.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub retraced: Option<u64>,
-    /// Million rays a second while tracing.
-    pub mrays_per_s: f64,
-    /// Bytes of the scene's arrays, as uploaded.
-    pub device_bytes: u64,
-    /// What the rays tested, where that was counted.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub counters: Option<Counters>,
 }
 
 /// Renders a scene.
@@ -290,57 +183,6 @@ fn is_too_wide<R: Real>(gpu: &Gpu) -> bool {
     R::WIDTH == Width::Double && !gpu.has_f64()
 }
 
-/// Counts what each ray of a picture tests, in a pass of its own: with a shader that
-/// counts, or on the CPU with the arithmetic of the shader. Of the adaptive tier, the
-/// first pass is counted.
-///
-/// # Errors
-///
-/// As [`render`].
-pub fn count(
-    scene: &Scene,
-    backend: &Backend,
-    settings: impl Into<Settings>,
-    watch: &dyn Watch,
-) -> Result<CountMap> {
-    scene.validate()?;
-    let settings = settings.into();
-    if let Some(reason) = backend.lacks(settings.accuracy) {
-        return Err(Error::Usage(reason));
-    }
-    match settings.accuracy {
-        Accuracy::Textbook => count_in::<Textbook>(scene, backend, settings, watch),
-        Accuracy::Robust => count_in::<Robust>(scene, backend, settings, watch),
-        Accuracy::Extended => count_in::<Extended>(scene, backend, settings, watch),
-        Accuracy::Double => count_in::<Double>(scene, backend, settings, watch),
-        Accuracy::Adaptive => count_in::<Bounded>(scene, backend, settings, watch),
-    }
-}
-
-fn count_in<R: Real>(
-    scene: &Scene,
-    backend: &Backend,
-    settings: Settings,
-    watch: &dyn Watch,
-) -> Result<CountMap> {
-    let flat = bounded::<R>(scene, settings);
-    match backend {
-        Backend::Cpu(threads) => cpu::count(&flat, *threads, watch),
-        Backend::Gpu(gpu) => gpu::render::count(gpu, &flat, watch),
-    }
-}
-
-/// Of each pixel, whether the outline of a volume runs through it, see
-/// [`bounds::outlines`].
-///
-/// # Errors
-///
-/// The faults of the scene.
-pub fn outlines(scene: &Scene, settings: impl Into<Settings>) -> Result<Vec<bool>> {
-    scene.validate()?;
-    Ok(bounds::outlines(&bounded::<f32>(scene, settings.into())))
-}
-
 fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {
     let mut flat = flatten::<R>(scene);
     bounds::bound(&mut flat, settings.bounds);
@@ -467,14 +309,6 @@ fn sample<R: Real>(
             take_samples(&mut sampler, frame, flat.samples, enough, watch, preview)
         }),
     }
-}
-
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde asks for a reference"
-)]
-fn is_zero(number: &u64) -> bool {
-    *number == 0
 }
 
 /// Traces on the GPU; a device that is lost on the way is opened anew, once.

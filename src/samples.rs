@@ -3,9 +3,8 @@
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::frame::Frame;
-use crate::kernel::hit::GIVEN_UP;
 use crate::kernel::tally::luminance;
 use crate::layout::{Pixel, Tally};
 use crate::watch::Watch;
@@ -22,7 +21,7 @@ pub trait Sampler {
     ///
     /// # Errors
     ///
-    /// [`Error::DeviceLost`], [`Error::Interrupted`] when `watch` says so.
+    /// [`crate::Error::DeviceLost`], [`crate::Error::Interrupted`] when `watch` says so.
     fn take(
         &mut self,
         sample: u32,
@@ -34,7 +33,7 @@ pub trait Sampler {
     ///
     /// # Errors
     ///
-    /// [`Error::DeviceLost`].
+    /// [`crate::Error::DeviceLost`].
     fn look(&mut self, see: &mut dyn FnMut(&[Pixel], &[Tally])) -> Result<()>;
 }
 
@@ -73,7 +72,8 @@ pub struct Taken {
     /// The estimated error: the root of the mean square of the pixels' standard errors, in
     /// parts of the picture's mean luminance. None of fewer than two samples.
     pub noise: Option<f64>,
-    /// Samples that were no numbers, and left out.
+    /// Samples that were no numbers, or that took more steps than a driver allows, and are left
+    /// out.
     pub faults: u64,
     /// The first pixel that has one.
     pub first_fault: Option<[u32; 2]>,
@@ -86,7 +86,7 @@ const LOOK_EVERY: u32 = 16;
 ///
 /// # Errors
 ///
-/// As [`Sampler::take`] and `preview`; [`Error::Limit`] where a driver stopped a path.
+/// As [`Sampler::take`] and `preview`.
 pub fn take_samples(
     sampler: &mut dyn Sampler,
     frame: &mut Frame,
@@ -145,22 +145,10 @@ pub fn take_samples(
                 shown = Instant::now();
             }
         }
-        let mut lost = None;
         sampler.look(&mut |pixels, tallies| {
-            lost = pixels.iter().position(|pixel| pixel.tests == GIVEN_UP);
             picture.add(pixels, tallies, taken, frame.width, rows.start);
             keep_means(frame, rows.start, pixels, tallies, taken);
         })?;
-        if let Some(index) = lost {
-            let (x, y) = (
-                index as u32 % frame.width,
-                rows.start + index as u32 / frame.width,
-            );
-            return Err(Error::Limit(format!(
-                "a path through pixel ({x}, {y}) takes more steps than the driver allows: \
-                 take fewer `bounces`, or bounds `tree`, or backend `cpu`"
-            )));
-        }
         fewest = fewest.min(taken);
         first_row = rows.end;
     }
@@ -182,7 +170,7 @@ fn keep_means(frame: &mut Frame, first_row: u32, pixels: &[Pixel], tallies: &[Ta
             ..*pixel
         })
         .collect();
-    // Paths that were lost are told of at the end.
+    // A search that was given up counts among the faults.
     let _ = frame.keep_rows(first_row, &means);
 }
 

@@ -326,6 +326,12 @@ fn lights_of_paths_lie_as_the_shaders_read_them() {
     let program = Program::build(&select_files(|_| true, device)).unwrap();
     assert_eq!(mismatch::<LampRecord>(&program), None);
     assert_eq!(mismatch::<LampTable>(&program), None);
+    assert_eq!(mismatch::<SamplingRecord>(&program), None);
+    assert_eq!(mismatch::<Tally>(&program), None);
+    assert_eq!(mismatch::<LensRecord>(&program), None);
+    assert_eq!(mismatch::<MotionRecord>(&program), None);
+    assert_eq!(mismatch::<FogRecord>(&program), None);
+    assert_eq!(mismatch::<TextureRecord>(&program), None);
     assert_eq!(mismatch::<Environment>(&program), None);
     let lamps = include_str!("../shaders/lamps_on.wgsl");
     let sky = include_str!("../shaders/sky_on.wgsl");

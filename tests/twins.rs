@@ -64,7 +64,7 @@ fn twinned(stem: &str, text: &str) -> Vec<String> {
 /// The shader file of a kernel file: itself, its form for a scene that calls for
 /// it, for f32, or for a device that divides well.
 fn shader_of(stem: &str) -> Option<String> {
-    ["", "_on", "_f32", "_native", "_off"]
+    ["", "_on", "_f32", "_native"]
         .iter()
         .map(|ending| format!("shaders/{stem}{ending}.wgsl"))
         .find(|path| Path::new(path).exists())

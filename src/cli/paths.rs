@@ -30,7 +30,8 @@ pub(super) fn a_pixel_of(paths: bool, samples: u32) -> String {
 pub(super) fn warn_of_faults(stats: &Stats) {
     if let Some([x, y]) = stats.first_fault {
         tracing::warn!(
-            "{} samples were infinite or not a number, and are left out; \
+            "{} samples were infinite or not a number, or took more steps than the driver \
+             allows, and are left out; \
              the first one is in pixel ({x}, {y})",
             stats.faults
         );

@@ -17,15 +17,13 @@ pub const AMBIENT: u32 = 2;
 pub const SKY: u32 = 3;
 /// How far a ray comes through fog.
 pub const FOG_WAY: u32 = 4;
-/// Where fog scatters it to.
-pub const FOG_SCATTER: u32 = 5;
 /// Whether the path goes on.
-pub const ROULETTE: u32 = 6;
+pub const ROULETTE: u32 = 5;
 /// Where on a lamp, lamp by lamp.
-pub const LAMP: u32 = 7;
+pub const LAMP: u32 = 6;
 
 /// The pairs of a leg.
-pub const PAIRS_OF_LEG: u32 = 8;
+pub const PAIRS_OF_LEG: u32 = 7;
 /// The first leg's first pair.
 pub const FIRST_LEG: u32 = 8;
 /// From one lamp's pair to the next lamp's.
