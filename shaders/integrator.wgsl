@@ -83,11 +83,16 @@ fn send_on(
     let origin = leave_surface(surface.position, surface.facing, direction, surface.reach);
     (*path).ray = Ray(vec3<real>(origin), vec3<real>(direction));
     (*path).throughput = (*path).throughput * left;
-    return taxicab_length_f32((*path).throughput) > 0.0;
+    // What is no number goes on, and is counted in the end.
+    return taxicab_length_f32((*path).throughput) != 0.0;
 }
 
-// The light that a place sends towards the viewer, of what comes straight from lamps.
+// The light that a place sends towards the viewer, of what comes straight from lamps: none
+// of a smooth mirror that scatters nothing.
 fn lit_by_all(path: ptr<function, Path>, surface: Surface, look: Look, view: vec3<f32>) -> vec3<f32> {
+    if taxicab_length_f32(look.albedo) + look.width == 0.0 {
+        return vec3<f32>();
+    }
     var even = ambient_light(path, surface, look);
     var glossy = vec3<f32>();
     let end = hidden_end(count_sources(), view.x);

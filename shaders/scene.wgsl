@@ -17,7 +17,7 @@ fn hidden_end(end: u32, number: f32) -> u32 {
 
 // A number that a uniform gives, hidden likewise where something is decided by it, alone or
 // beside the number of a loop's turn: lavapipe 22.3 notes such numbers in a table, and notes
-// those of the fourth uniform buffer and of later ones in the wrong place, see docs/wgsl.md.
+// those of all but the first buffer in the wrong place, see docs/wgsl.md.
 fn hidden(value: f32, number: f32) -> f32 {
     return bitcast<f32>(hidden_end(bitcast<u32>(value), number));
 }

@@ -247,7 +247,7 @@ fn run<R: Real>(
         first_fault: taken.first_fault,
         accuracy: settings.accuracy,
         bounds,
-        effects: effects_of(&flat.counts()),
+        effects: effects_of(&flat.counts(), samples),
         primitives: flat.primitives(),
         seconds: started.elapsed().as_secs_f64(),
         trace_ms,

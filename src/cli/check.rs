@@ -8,7 +8,7 @@ use super::flags::{CheckArguments, Common};
 use super::paths::a_pixel_of;
 use super::report::{self, table};
 use rayproof::bounds::overfull_groups;
-use rayproof::effects::{EffectSet, effects_of};
+use rayproof::effects::{EffectSet, effects_of, takes_samples};
 use rayproof::error::Result;
 use rayproof::flatten::flatten;
 use rayproof::plan::{PATHS, traced};
@@ -52,19 +52,20 @@ pub(super) fn run(arguments: &CheckArguments, common: &Common) -> Result<Outcome
     let mut warnings = loaded.warnings;
     warnings.extend(overfull_groups(&loaded.scene));
     let flat = flatten::<f32>(&loaded.scene);
+    let counts = flat.counts();
     let contents = Contents {
         scene: name,
         width: flat.size[0],
         height: flat.size[1],
         samples: loaded.scene.integrator.samples,
-        traced: traced(&flat.counts(), EffectSet::NONE),
+        traced: traced(&counts, EffectSet::NONE),
         spheres: flat.spheres.len(),
         planes: flat.planes.len(),
         disks: flat.disks.len(),
         triangles: flat.triangles.len(),
         lights: loaded.scene.lights.len(),
         materials: loaded.scene.materials.len(),
-        effects: effects_of(&flat.counts()),
+        effects: effects_of(&counts, takes_samples(&counts, EffectSet::NONE)),
         device_bytes: flat.bytes(),
         warnings,
         notes: loaded.notes,

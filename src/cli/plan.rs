@@ -31,7 +31,11 @@ pub(super) fn run(arguments: &PlanArguments, common: &Common) -> Result<Outcome>
         let backend = arguments.tracing.open_backend()?;
         tracing::info!("measuring on {}", backend.describe());
         results.backend = Some(backend.describe());
-        results.proof = Some(prove(&scene, &backend, settings, common)?);
+        if backend.has_shaders() {
+            results.proof = Some(prove(&scene, &backend, settings, common)?);
+        } else {
+            tracing::warn!("nothing is left out of the CPU's code: the proof needs a GPU");
+        }
         let costs = measure(&scene, &backend, settings, &plan, arguments, common)?;
         results.take_costs(costs);
     }

@@ -156,9 +156,12 @@ impl Effect {
     }
 }
 
-/// The names of the effects that the scene calls for.
-pub fn effects_of(counts: &Counts) -> Vec<&'static str> {
-    let on = EFFECTS.iter().filter(|effect| effect.is_called_for(counts));
+/// The names of the effects that the scene calls for, in a picture of samples or of one ray a
+/// pixel.
+pub fn effects_of(counts: &Counts, samples: bool) -> Vec<&'static str> {
+    let is_of_use = |effect: &&Effect| !(samples && effect.part == Part::Screen);
+    let on = EFFECTS.iter().filter(is_of_use);
+    let on = on.filter(|effect| effect.is_called_for(counts));
     on.map(|effect| effect.name).collect()
 }
 

@@ -123,10 +123,12 @@ pub fn send_on<R: Real>(
     let origin = leave_surface::<R>(surface.position, surface.facing, direction, surface.reach);
     path.ray = Ray { origin, direction }.converted();
     path.throughput = path.throughput.times(left);
-    taxicab_length(path.throughput) > 0.0
+    // What is no number goes on, and is counted in the end.
+    taxicab_length(path.throughput) != 0.0
 }
 
-/// The light that a place sends towards the viewer, of what comes straight from lamps.
+/// The light that a place sends towards the viewer, of what comes straight from lamps: none
+/// of a smooth mirror that scatters nothing.
 fn lit_by_all<R: Real>(
     flat: &Flat<R>,
     tracer: &mut impl Tracer<R>,
@@ -135,6 +137,9 @@ fn lit_by_all<R: Real>(
     look: &Look,
     view: Vec3<f32>,
 ) -> Vec3<f32> {
+    if taxicab_length(look.albedo) + look.width == 0.0 {
+        return Vec3::default();
+    }
     let mut even = ambient_light(flat, tracer, path, surface, look);
     let mut glossy = Vec3::default();
     for source in 0..count_sources(flat) {

@@ -141,7 +141,7 @@ records! {
     Tally {
         /// The sum of the squares of their luminances.
         squares: f32,
-        /// Samples that were no numbers, and left out.
+        /// Samples that were no numbers, or took more steps than a driver allows: left out.
         faults: u32,
     }
 

@@ -38,6 +38,11 @@ impl Backend {
         }
     }
 
+    /// Whether it traces by shaders, out of which effects are left.
+    pub fn has_shaders(&self) -> bool {
+        matches!(self, Self::Gpu(_))
+    }
+
     /// Why it does not trace with this accuracy, if it does not.
     pub fn lacks(&self, accuracy: Accuracy) -> Option<String> {
         match self {

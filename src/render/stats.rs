@@ -34,7 +34,7 @@ pub struct Stats {
     /// The estimated error of a picture of samples, see [`crate::samples::Taken::noise`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub noise: Option<f64>,
-    /// Samples that were no numbers, and left out.
+    /// Samples that were no numbers, or took more steps than a driver allows, and are left out.
     #[serde(skip_serializing_if = "is_zero")]
     pub faults: u64,
     /// The first pixel that has one.

@@ -92,13 +92,11 @@ fn every_module_is_valid_and_binds_what_the_table_says() {
             let allowed = allowed(choice, entry);
             let surplus: Vec<_> = bound.difference(&allowed).collect();
             assert!(surplus.is_empty(), "{choice:?} {entry:?}: {surplus:?}");
-            // All that it needs is there: an effect alone binds its own buffers.
-            if let Some([one, other]) = choice
-                && one == other
-            {
-                let effect = EFFECTS.iter().find(|effect| effect.name == one).unwrap();
-                for name in effect.bindings.iter().filter(|_| is_read(effect, entry)) {
-                    assert!(bound.contains(name), "{one} does not bind {name}");
+            // All that it needs is there: each of its effects binds its own buffers.
+            let chosen = EFFECTS.iter().filter(|effect| is_chosen(choice, effect));
+            for effect in chosen.filter(|effect| is_read(effect, entry)) {
+                for name in effect.bindings {
+                    assert!(bound.contains(name), "{choice:?} does not bind {name}");
                 }
             }
         }

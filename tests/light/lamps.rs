@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use glam::{DMat3, DVec3};
 use rayproof::flat::Flat;
 use rayproof::flatten::flatten_with_ids;
+use rayproof::gpu::device::Gpu;
 use rayproof::kernel::camera::Ray;
 use rayproof::kernel::hit::{Surface, no_hit};
 use rayproof::kernel::lamps::weight_of_lamp;
@@ -28,7 +29,8 @@ const ROUNDINGS: f64 = 64.0;
 fn both_sides_have_the_same_bits() {
     for (samples, bounces) in [(1, 0), (8, 4)] {
         let scene = room(96, samples, bounces);
-        let gpu = picture(&scene, &Backend::auto().unwrap());
+        let gpu = Gpu::open(None).expect("a Vulkan driver, such as mesa-vulkan-drivers");
+        let gpu = picture(&scene, &Backend::Gpu(Box::new(gpu)));
         let cpu = picture(&scene, &Backend::Cpu(None));
         assert!(gpu.has_bits_of(&cpu), "{samples} {bounces}");
         // The control: another seed.
