@@ -79,6 +79,10 @@ pub struct Taken {
     pub first_fault: Option<[u32; 2]>,
 }
 
+/// Pixels of a band at most: their sums fit the 128 MiB that a software driver binds. The same
+/// on every backend, for the noise is looked at band by band.
+pub const BAND: u32 = 1 << 21;
+
 /// After so many samples, and each time so many more, the noise is looked at.
 const LOOK_EVERY: u32 = 16;
 

@@ -19,11 +19,8 @@ use crate::kernel::real::Real;
 use crate::kernel::tally::add_sample;
 use crate::kernel::tracer::Tracer;
 use crate::layout::{Pixel, Tally};
-use crate::samples::Sampler;
+use crate::samples::{BAND, Sampler};
 use crate::watch::Watch;
-
-/// Pixels that are held at most.
-const MOST_PIXELS: u32 = 1 << 24;
 
 impl<R: Real> Tracer<R> for Search<'_, R> {
     fn open_shutter(&mut self, time: f32) {
@@ -74,7 +71,7 @@ impl<'a, R: Real> Sampled<'a, R> {
 
 impl<R: Real> Sampler for Sampled<'_, R> {
     fn max_rows(&self) -> u32 {
-        (MOST_PIXELS / self.flat.size[0]).max(1)
+        (BAND / self.flat.size[0]).max(1)
     }
 
     fn start(&mut self, rows: Range<u32>) {

@@ -111,10 +111,20 @@ pub(super) fn spheres(scene: &Scene) -> Option<Cause> {
 pub(super) fn near_spheres(scene: &Scene) -> Option<Cause> {
     let eye = scene.camera.eye;
     let is_near = |shape: &Shape| match shape.geometry {
-        Geometry::Sphere { center, radius } => is_near_sphere(shape, center, radius, eye),
+        // One that moves has another power at each time, and none is noted.
+        Geometry::Sphere { center, radius } if shape.velocity == DVec3::ZERO => {
+            is_near_sphere(shape, center, radius, eye)
+        }
         _ => false,
     };
-    shape(scene, is_near).map(|cause| Cause {
+    let is_near_lamp = |form: &AreaForm| match *form {
+        AreaForm::Sphere { center, radius } => {
+            camera_power((center - eye).to_array(), radius).is_some()
+        }
+        _ => false,
+    };
+    let near = shape(scene, is_near).or_else(|| lamp(scene, is_near_lamp));
+    near.map(|cause| Cause {
         what: format!("the camera, near {}", cause.what),
         ..cause
     })

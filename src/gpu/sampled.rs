@@ -18,11 +18,8 @@ use crate::error::{Error, Result};
 use crate::flat::Flat;
 use crate::kernel::real::Real;
 use crate::layout::{Dispatch, Pixel, Tally};
-use crate::samples::Sampler;
+use crate::samples::{BAND, Sampler};
 use crate::watch::Watch;
-
-/// Pixels of a band at most: 96 MiB of them.
-const MOST_PIXELS: u64 = 1 << 21;
 
 /// Pixels of the first dispatch.
 const FIRST_PIXELS: f64 = 16_384.0;
@@ -54,7 +51,7 @@ impl<'a, R: Real> Sampled<'a, R> {
         let loaded = Loaded::new(gpu, flat, Entry::Samples, portions, &|_| {})?;
         let bytes_of_pixel = size_of::<Pixel>() as u64;
         let limit = gpu.limits.max_storage_buffer_binding_size / bytes_of_pixel;
-        let most = limit.min(MOST_PIXELS) as u32;
+        let most = limit.min(BAND.into()) as u32;
         let [width, height] = flat.size;
         let max_rows = (most / width).clamp(1, height);
         let count = u64::from(max_rows) * u64::from(width);

@@ -269,13 +269,14 @@ fn the_screen_is_no_use_to_paths() {
 #[test]
 fn costs_are_measured_and_the_proof_is_made() {
     let room = room();
-    let line = "plan effects.toml --measure --runs 1 --warmup 0 --size 32x24 --backend cpu";
+    let line = "plan effects.toml --measure --runs 1 --warmup 0 --size 32x24 --backend gpu";
     let measured = room.run(&format!("{line} --json")).with(0).json();
     assert_eq!(
         (&measured["width"], &measured["height"]),
         (&32.into(), &24.into())
     );
-    assert_eq!(measured["backend"], "cpu");
+    let backend = measured["backend"].as_str().expect("a name");
+    assert!(backend.starts_with("gpu"), "{backend}");
     assert_eq!(measured["proof"]["equal"], true, "{measured:#}");
     assert_eq!(measured["proof"]["different_pixels"], 0, "{measured:#}");
     for effect in measured["effects"].as_array().expect("effects") {
@@ -299,4 +300,8 @@ fn costs_are_measured_and_the_proof_is_made() {
         table.out.contains("every bit of the picture is the same"),
         "{table:#?}"
     );
+    // Nothing is left out of the CPU's code, so there is nothing to prove.
+    let on_cpu = room.run(&line.replace("gpu", "cpu")).with(0);
+    assert!(on_cpu.out.contains("cost ms"), "{on_cpu:#?}");
+    assert!(!on_cpu.out.contains("proof"), "{on_cpu:#?}");
 }

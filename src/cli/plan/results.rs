@@ -94,7 +94,7 @@ impl Results {
     }
 
     pub(super) fn table(&self) -> String {
-        let is_measured = self.proof.is_some();
+        let is_measured = self.backend.is_some();
         let rows = self.effects.iter().map(|row| row.cells(is_measured));
         let cells = columns_of(head(is_measured), rows.collect());
         let reasons = ["why"].into_iter();
