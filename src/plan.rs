@@ -2,17 +2,16 @@
 
 use serde::Serialize;
 
-use crate::bounds::{self, Bounds};
+use crate::bounds::Bounds;
 use crate::effects::{
     DIVIDE_NATIVE, Device, EFFECTS, Effect, EffectSet, Entry, Fetch, Part, select_files,
     takes_samples,
 };
 use crate::error::{Error, Result};
-use crate::flat::{Counts, Flat};
-use crate::flatten::flatten;
+use crate::flat::Counts;
 use crate::gpu::program::{Access, Program, Source};
 use crate::kernel::real::Real;
-use crate::render::{Accuracy, Settings};
+use crate::render::{Accuracy, Settings, bounded};
 use crate::scene::Scene;
 use crate::tier::{Bounded, Double, Extended, Formulas, Robust, Textbook, Width};
 
@@ -101,12 +100,6 @@ pub fn plan(scene: &Scene, settings: Settings) -> Result<ScenePlan> {
             }
         }
     }
-}
-
-fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {
-    let mut flat = flatten::<R>(scene);
-    bounds::bound(&mut flat, settings.bounds);
-    flat
 }
 
 fn plan_in<R: Real>(scene: &Scene, settings: Settings) -> Result<ScenePlan> {

@@ -183,7 +183,8 @@ fn is_too_wide<R: Real>(gpu: &Gpu) -> bool {
     R::WIDTH == Width::Double && !gpu.has_f64()
 }
 
-fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {
+/// A valid scene, flattened, with its volumes.
+pub(crate) fn bounded<R: Real>(scene: &Scene, settings: Settings) -> Flat<R> {
     let mut flat = flatten::<R>(scene);
     bounds::bound(&mut flat, settings.bounds);
     flat

@@ -175,7 +175,6 @@ pub fn path_effects_of(scene: &Scene) -> Vec<&'static str> {
 /// Whether a scene's pictures are made of samples, by a path each, since an effect asks for
 /// it that the scene calls for or that is forced.
 pub fn takes_samples(counts: &Counts, forced: EffectSet) -> bool {
-    let paths = EFFECTS.iter().filter(|effect| effect.part == Part::Path);
-    let mut on = paths.filter(|effect| effect.is_called_for(counts) || forced.has(effect));
-    on.next().is_some()
+    let mut paths = EFFECTS.iter().filter(|effect| effect.part == Part::Path);
+    paths.any(|effect| effect.is_called_for(counts) || forced.has(effect))
 }

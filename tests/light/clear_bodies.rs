@@ -4,16 +4,13 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use rayproof::Accuracy;
 use rayproof::Scene;
-use rayproof::bounds::Bounds;
 use rayproof::kernel::offset::OFFSET;
-use rayproof::render::Settings;
 use rayproof::scene::mesh::{Builtin, build};
 use rayproof::scene::{Geometry, Material, Mesh, Shape, Transform};
 
-use crate::common::{BRUTE_FORCE, compare};
-use crate::seen::{FAR, ROUNDING, assert_backends_agree, by_height, looking_at, mean_of};
+use crate::common::compare;
+use crate::seen::{FAR, ROUNDING, assert_paths_agree, by_height, looking_at, mean_of};
 
 fn glass(ior: f64, absorption: [f64; 3]) -> Material {
     Material {
@@ -317,17 +314,7 @@ fn all_sorts() -> Scene {
 
 #[test]
 fn both_backends_show_the_same_bodies() {
-    let trees = Settings {
-        accuracy: Accuracy::Robust,
-        bounds: Bounds::Tree,
-        forced: rayproof::effects::EffectSet::NONE,
-    };
-    for (samples, bounces) in [(1, 0), (4, 0), (4, 3)] {
-        let mut scene = all_sorts();
-        scene.integrator.samples = samples;
-        scene.integrator.bounces = bounces;
-        assert_backends_agree(&scene, &[BRUTE_FORCE, trees]);
-    }
+    assert_paths_agree(&all_sorts());
     // The control: another index is seen.
     let mut other = all_sorts();
     other.materials[1] = glass(1.5001, [0.1, 0.5, 1.0]);

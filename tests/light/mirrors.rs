@@ -3,15 +3,13 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use rayproof::bounds::Bounds;
 use rayproof::flatten::flatten;
 use rayproof::kernel::glossy::energy_of;
-use rayproof::render::Settings;
 use rayproof::scene::{Background, Falloff, Geometry, Light, Material, Shape, Transform};
-use rayproof::{Accuracy, Backend, Scene, Unwatched};
+use rayproof::{Backend, Scene, Unwatched};
 
 use crate::common::{BRUTE_FORCE, assert_same_bits, compare, gpu};
-use crate::seen::{FAR, ROUNDING, assert_backends_agree, by_height, looking_at, mean_of};
+use crate::seen::{FAR, ROUNDING, assert_paths_agree, by_height, looking_at, mean_of};
 
 /// What is between two numbers of the table of energies is off by so much of it at most.
 pub const BETWEEN: f64 = 1.0 / 2048.0;
@@ -273,17 +271,7 @@ fn all_sorts() -> Scene {
 
 #[test]
 fn both_backends_show_the_same_mirrors() {
-    let trees = Settings {
-        accuracy: Accuracy::Robust,
-        bounds: Bounds::Tree,
-        forced: rayproof::effects::EffectSet::NONE,
-    };
-    for (samples, bounces) in [(1, 0), (4, 0), (4, 3)] {
-        let mut scene = all_sorts();
-        scene.integrator.samples = samples;
-        scene.integrator.bounces = bounces;
-        assert_backends_agree(&scene, &[BRUTE_FORCE, trees]);
-    }
+    assert_paths_agree(&all_sorts());
     // The control: another roughness is seen.
     let mut other = all_sorts();
     other.materials[3].roughness = 0.999;

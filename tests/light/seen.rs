@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayproof::render::Settings;
 use rayproof::scene::{Background, Geometry, Material, Shape, Transform};
-use rayproof::{Backend, Frame, Scene, Unwatched};
+use rayproof::{Accuracy, Backend, Frame, Scene, Unwatched};
 
 use crate::common::{BRUTE_FORCE, assert_same_bits, gpu};
 
@@ -80,5 +80,16 @@ pub fn assert_backends_agree(scene: &Scene, all: &[Settings]) {
         let [here, there] = [&Backend::Cpu(None), &graphics]
             .map(|backend| rayproof::render(scene, backend, *settings, &Unwatched).unwrap());
         assert_same_bits(&there.frame, &here.frame);
+    }
+}
+
+/// The same by brute force and through a tree: with one sample and with some, with direct
+/// light alone and with bounces.
+pub fn assert_paths_agree(scene: &Scene) {
+    for (samples, bounces) in [(1, 0), (4, 0), (4, 3)] {
+        let mut scene = scene.clone();
+        scene.integrator.samples = samples;
+        scene.integrator.bounces = bounces;
+        assert_backends_agree(&scene, &[BRUTE_FORCE, Settings::from(Accuracy::Robust)]);
     }
 }
